@@ -1,4 +1,5 @@
-"""FreeCAD runs this at every start, with or without a window: it learns of the files that can come and go, and of our test."""
+"""FreeCAD runs this at every start, with or without a window. It registers the types of files that can be imported and
+exported, and the workbench's test."""
 
 import FreeCAD
 from fieldfab_workbench import file_types

@@ -10,17 +10,21 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-EXTENSION = {"pcb_modela": ".rml", "pcb_gcode": ".ngc", "bearing": ".ngc", "text_vcarve": ".ngc", "cthead_shopbot5": ".sbp", "mtm_az_laser": ".epi", "knob_five_axis": ".ngc"}
+EXTENSION = {"pcb_modela": ".rml", "pcb_gcode": ".ngc", "bearing": ".ngc", "text_vcarve": ".ngc",
+             "cthead_shopbot5": ".sbp", "mtm_az_laser": ".epi", "knob_five_axis": ".ngc"}
 LARGEST = 1_000_000  # bytes of a program that is kept as it is
 
 
 def run(job, folder):
     program = folder / (job.stem + EXTENSION[job.stem])
-    pictures = ["--picture", folder / (job.stem + ".png")] + (["--oblique"] if job.stem in ("bearing", "cthead_shopbot5", "knob_five_axis") else [])
-    command = [ROOT / "build/release/bin/fieldfab", "cam", job, "-o", program, "--sheet", folder / (job.stem + ".html"), *pictures]
+    pictures = ["--picture", folder / (job.stem + ".png")] + (
+        ["--oblique"] if job.stem in ("bearing", "cthead_shopbot5", "knob_five_axis") else [])
+    command = [ROOT / "build/release/bin/fieldfab", "cam", job, "-o", program, "--sheet", folder / (job.stem + ".html"),
+               *pictures]
     print(subprocess.run([str(c) for c in command], check=True, capture_output=True, text=True).stdout.strip())
     if program.stat().st_size > LARGEST:
-        with open(str(program) + ".gz", "wb") as out, gzip.GzipFile(filename="", fileobj=out, mode="wb", mtime=0) as packed:
+        with (open(str(program) + ".gz", "wb") as out,
+              gzip.GzipFile(filename="", fileobj=out, mode="wb", mtime=0) as packed):
             packed.write(program.read_bytes())
         program.unlink()
 

@@ -1,8 +1,9 @@
-"""The demo: a newcomer's first look, as one page of static files in out/demo/index.html. It works from a disk and on any web page.
+"""The demo: a newcomer's first look, as one page of static files in out/demo/index.html. It works from a disk and on
+any web page.
 
-A machine of 35 parts in colours, the head of a CT scan, a part planned for five axes and simulated (all turned by mouse), prospero, and
-the cross-checks of each part. Run by ./dev demo after the build; uses the command only, as a user would.
-"""
+A machine of 35 parts in colours, the head of a CT scan, a part planned for five axes and simulated (all turned by
+mouse), prospero, and the cross-checks of each part. Run by ./dev demo after the build; uses the command only, as a user
+would. """
 
 import base64
 import html
@@ -45,7 +46,8 @@ def region(bounds, margin):
 
 
 def checked_parts(out, count, cells):
-    """Each part of the PCB mill mtm_az (Keeter 4.3.5). `cells`: of an inch, the unit of the files: 25.4 * 5 are 5 a mm."""
+    """Builds, meshes and checks each part of the PCB mill mtm_az (Keeter 4.3.5). `cells`: for each inch, the unit of
+    the files; 25.4 * 5 are 5 for each mm."""
     text = (DATA / "frep" / "mtm_az" / "mtm_az.bounds").read_text()
     rows = []
     for i, box in enumerate(json.loads(text[: text.rindex("]") + 1])[:count]):
@@ -59,7 +61,8 @@ def checked_parts(out, count, cells):
 
 def machine(out, count, voxel):
     """The distance fields of all parts in their colours, mm: mtm_az.frep, .glb and .png."""
-    lines = [f'part(scale(open("part_{i:02d}.asdf"), 25.4), "part {i:02d}", "{COLOURS[i % len(COLOURS)]}")\n' for i in range(count)]
+    lines = [f'part(scale(open("part_{i:02d}.asdf"), 25.4), "part {i:02d}", "{COLOURS[i % len(COLOURS)]}")\n'
+             for i in range(count)]
     (out / "mtm_az.frep").write_text("".join(lines))
     fieldfab("render", out / "mtm_az.frep", "-o", out / "mtm_az.png", "--size", 900, "--alpha", 35, "--beta", -63)
     return fieldfab("mesh", out / "mtm_az.frep", "-o", out / "mtm_az.glb", "--voxel", voxel)
@@ -67,15 +70,18 @@ def machine(out, count, voxel):
 
 def head(out, voxel):
     scan = DATA / "ct" / "cthead"
-    fieldfab("render", scan, "-o", out / "cthead.png", "--threshold", 60, "--keep-largest", "--size", 900, "--alpha", 35, "--beta", -75)
+    fieldfab("render", scan, "-o", out / "cthead.png", "--threshold", 60, "--keep-largest", "--size", 900, "--alpha",
+             35, "--beta", -75)
     return fieldfab("mesh", scan, "-o", out / "cthead.glb", "--threshold", 60, "--keep-largest", "--voxel", voxel)
 
 
 def machined(out, job, frames, cell):
     """A job planned and simulated: program, picture of its ways, report, film and the stock that is left."""
     program = out / "program.ngc"
-    plan, t_plan = fieldfab("cam", job, "-o", program, "--picture", out / "ways.png", "--oblique", "--sheet", out / "sheet.html")
-    done, t_done = fieldfab("simulate", program, "--setup", job, "-o", out / "stock.glb", "--report", out / "report.html", "--frames", out / "film", "--frame-count", frames,
+    plan, t_plan = fieldfab("cam", job, "-o", program, "--picture", out / "ways.png", "--oblique", "--sheet",
+                            out / "sheet.html")
+    done, t_done = fieldfab("simulate", program, "--setup", job, "-o", out / "stock.glb", "--report",
+                            out / "report.html", "--frames", out / "film", "--frame-count", frames,
                             "--size", 720, "--cell", cell)
     return plan, t_plan, done, t_done
 
@@ -85,59 +91,78 @@ def prospero(out):
     plane = "--bounds=-1,-1,0,1,1,0"
     plate = ["--thickness", 0.04, "--bounds=-1.02,-1.02,-0.02,1.02,1.02,0.06", "--resolution", 100]
     figures = {}
-    figures["bitmap, 1024 x 1024"] = fieldfab("render", model, "-o", out / "prospero.png", "--mode", "bitmap", "--size", 1024, plane)[1]
+    figures["bitmap, 1024 x 1024"] = fieldfab("render", model, "-o", out / "prospero.png", "--mode", "bitmap", "--size",
+                                              1024, plane)[1]
     figures["distance field of a plate"] = fieldfab("build", model, "-o", out / "prospero.asdf", *plate)[1]
     mesh, figures["mesh of a plate"] = fieldfab("mesh", model, "-o", out / "prospero.stl", *plate)
     check, figures["check of the plate"] = fieldfab("check", model, *plate)
-    figures["picture of the plate"] = fieldfab("render", model, "-o", out / "prospero_plate.png", *plate[:3], "--size", 900, "--beta", -35)[1]
+    figures["picture of the plate"] = fieldfab("render", model, "-o", out / "prospero_plate.png", *plate[:3], "--size",
+                                               900, "--beta", -35)[1]
     return figures, mesh, check
 
 
 STYLE = """
-body { font: 16px/1.5 system-ui, sans-serif; color: #1c2733; background: #fff; max-width: 1080px; margin: 2.5rem auto; padding: 0 1rem }
+body { font: 16px/1.5 system-ui, sans-serif; color: #1c2733; background: #fff;
+  max-width: 1080px; margin: 2.5rem auto; padding: 0 1rem }
 h1, h2 { font-weight: 600; letter-spacing: -.01em } h2 { margin-top: 2.5rem } a { color: #0f6a63 }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; width: 100% } td, th { padding: .25rem .6rem; text-align: right; border-bottom: 1px solid #dde5ee }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; width: 100% }
+td, th { padding: .25rem .6rem; text-align: right; border-bottom: 1px solid #dde5ee }
 th:first-child, td:first-child { text-align: left } .pass { color: #1b7f46 } .fail { color: #b3261e; font-weight: 600 }
 figure { margin: 0 } figcaption { font-size: 14px; color: #4d5c6c; margin-top: .3rem }
-img { width: 100%; border-radius: 8px; display: block } .wide { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 1rem }
-.scene { height: min(560px, 76vh); border-radius: 8px; overflow: hidden; background: radial-gradient(120% 100% at 50% 0, #fff 0, #e9eeee 60%, #d3dcde 100%); cursor: grab }
-.scene:active { cursor: grabbing } .scene canvas { width: 100%; height: 100%; display: block; touch-action: pan-y } .scene img { height: 100%; object-fit: cover; border-radius: 0 }
-.wide .scene { height: 400px } .film { display: flex; gap: .6rem; align-items: center; margin-top: .4rem } .film input { flex: 1 } button { font: inherit; padding: .1rem .8rem }
+img { width: 100%; border-radius: 8px; display: block }
+.wide { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 1rem }
+.scene { height: min(560px, 76vh); border-radius: 8px; overflow: hidden;
+  background: radial-gradient(120% 100% at 50% 0, #fff 0, #e9eeee 60%, #d3dcde 100%); cursor: grab }
+.scene:active { cursor: grabbing }
+.scene canvas { width: 100%; height: 100%; display: block; touch-action: pan-y }
+.scene img { height: 100%; object-fit: cover; border-radius: 0 }
+.wide .scene { height: 400px }
+.film { display: flex; gap: .6rem; align-items: center; margin-top: .4rem } .film input { flex: 1 }
+button { font: inherit; padding: .1rem .8rem }
 """
 
 
 def verdict(check):
-    return '<span class="pass">all bounds hold</span>' if check["passed"] else '<span class="fail">a bound is broken</span>'
+    return ('<span class="pass">all bounds hold</span>' if check["passed"]
+            else '<span class="fail">a bound is broken</span>')
 
 
 def scene(name, picture, words, colour=None):
     """A model that is turned; without WebGL or scripts its picture."""
-    return f"""<figure data-model="{name}"{f' data-colour="{colour}"' if colour else ""}><div class="scene" role="img" aria-label="{words}"><img src="{picture}" alt="{words}"></div>
-<figcaption>{words}. Drag to turn; arrow keys and the wheel work once it is clicked. <a href="{name}.glb" download>{name}.glb</a></figcaption></figure>"""
+    return f"""<figure data-model="{name}"{f' data-colour="{colour}"' if colour else ""}>
+<div class="scene" role="img" aria-label="{words}"><img src="{picture}" alt="{words}"></div>
+<figcaption>{words}. Drag to turn; arrow keys and the wheel work once it is clicked.
+<a href="{name}.glb" download>{name}.glb</a></figcaption></figure>"""
 
 
 def prospero_told(figures, plate, check):
-    rows = "".join(f"<tr><td>{html.escape(name)}</td><td>{seconds:.2f} s</td></tr>" for name, seconds in figures.items())
+    rows = "".join(f"<tr><td>{html.escape(name)}</td><td>{seconds:.2f} s</td></tr>"
+                   for name, seconds in figures.items())
     return f"""<h2>Prospero, 7866 instructions</h2>
-<div class="wide"><figure><img src="prospero.png" alt="prospero as a bitmap"></figure><figure><img src="prospero_plate.png" alt="prospero as a plate"></figure></div>
+<div class="wide"><figure><img src="prospero.png" alt="prospero as a bitmap"></figure>
+<figure><img src="prospero_plate.png" alt="prospero as a plate"></figure></div>
 <table>{rows}</table><p>The plate: {plate['triangles']:,} triangles, {verdict(check)}.</p>"""
 
 
 def checks(rows, total, cells):
     parts = "".join(
-        f"<tr><td>part {i:02d}</td><td>{b['cells']:,}</td><td>{b['bytes'] / b['cells']:.1f}</td><td>{tb:.2f}</td><td>{m['triangles']:,}</td><td>{tm:.2f}</td><td>{verdict(c)}</td><td>{tc:.2f}</td></tr>"
+        f"<tr><td>part {i:02d}</td><td>{b['cells']:,}</td><td>{b['bytes'] / b['cells']:.1f}</td><td>{tb:.2f}</td>"
+        f"<td>{m['triangles']:,}</td><td>{tm:.2f}</td><td>{verdict(c)}</td><td>{tc:.2f}</td></tr>"
         for i, b, tb, m, tm, c, tc in rows
     )
     return f"""<h2 id="checks">Each part, checked against OpenVDB and CGAL</h2>
-<p>{cells / 25.4:.0f} cells a mm: {sum(r[1]['cells'] for r in rows):,} cells in {total(2):.1f} s, {sum(r[3]['triangles'] for r in rows):,} triangles in {total(4):.1f} s.
+<p>{cells / 25.4:.0f} cells a mm: {sum(r[1]['cells'] for r in rows):,} cells in {total(2):.1f} s,
+{sum(r[3]['triangles'] for r in rows):,} triangles in {total(4):.1f} s.
 Cross-checked in {total(6):.1f} s: {sum(r[5]['passed'] for r in rows)} of {len(rows)} parts pass every bound.</p>
-<table><tr><th>part</th><th>cells</th><th>bytes a cell</th><th>build, s</th><th>triangles</th><th>mesh, s</th><th>check</th><th>s</th></tr>{parts}</table>"""
+<table><tr><th>part</th><th>cells</th><th>bytes a cell</th><th>build, s</th><th>triangles</th><th>mesh, s</th>
+<th>check</th><th>s</th></tr>{parts}</table>"""
 
 
 def page(rows, cells, mill, scan, cut, frames, plate):
     total = lambda column: sum(row[column] for row in rows)  # noqa: E731: shorter than a function
     plan, t_plan, done, t_done = cut
-    return f"""<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>Fieldfab demo</title><style>{STYLE}</style>
+    return f"""<!doctype html><html lang="en"><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1"><title>Fieldfab demo</title><style>{STYLE}</style>
 <h1>Fieldfab: a solid from a formula, to the machine</h1>
 <p>Everything on this page was made by the <code>fieldfab</code> command; times are whole commands, start to end.</p>
 <h2>MTM A-Z, a PCB mill of {len(rows)} parts</h2>
@@ -147,9 +172,14 @@ def page(rows, cells, mill, scan, cut, frames, plate):
 {scene("cthead", "cthead.png", "The skin of a scanned head, 256 x 256 x 99 samples", "#d8b9a0")}
 <p>{scan[0]['triangles']:,} triangles in {scan[1]:.1f} s.</p>
 <h2>A plan for five axes, and its simulation</h2>
-<div class="wide"><figure><img src="ways.png" alt="The ways of the tools"><figcaption>The ways of the tools, planned in {t_plan:.1f} s. <a href="program.ngc" download>Program</a>, <a href="sheet.html">set-up sheet</a></figcaption></figure>
-<figure data-film="film"><img src="film/frame_{frames:04d}.png" alt="The stock while it is machined"><div class="film"><button hidden>Play</button><input type="range" min="1" max="{frames}" value="{frames}" aria-label="Time" hidden></div>
-<figcaption>The program, carried out on the stock in {t_done:.1f} s. <a href="report.html">Report</a></figcaption></figure></div>
+<div class="wide"><figure><img src="ways.png" alt="The ways of the tools">
+<figcaption>The ways of the tools, planned in {t_plan:.1f} s.
+<a href="program.ngc" download>Program</a>, <a href="sheet.html">set-up sheet</a></figcaption></figure>
+<figure data-film="film"><img src="film/frame_{frames:04d}.png" alt="The stock while it is machined">
+<div class="film"><button hidden>Play</button>
+<input type="range" min="1" max="{frames}" value="{frames}" aria-label="Time" hidden></div>
+<figcaption>The program, carried out on the stock in {t_done:.1f} s.
+<a href="report.html">Report</a></figcaption></figure></div>
 {scene("stock", f"film/frame_{frames:04d}.png", "What is left of the stock")}
 {prospero_told(*plate) if plate else ""}
 {checks(rows, total, cells)}
@@ -159,7 +189,8 @@ def page(rows, cells, mill, scan, cut, frames, plate):
 def with_scripts(out):
     """Each .glb as a script, too: a page that lies on a disk may load no other files."""
     for path in out.glob("*.glb"):
-        (out / f"{path.name}.js").write_text(f'fieldfabModel("{path.stem}", "{base64.b64encode(path.read_bytes()).decode()}")\n')
+        (out / f"{path.name}.js").write_text(
+            f'fieldfabModel("{path.stem}", "{base64.b64encode(path.read_bytes()).decode()}")\n')
     script = BUILD / "web" / "npm" / "demo.js"
     if script.exists():
         shutil.copy(script, out)
@@ -167,7 +198,8 @@ def with_scripts(out):
         print("demo: npm was out of reach when Fieldfab was built: the page has pictures, and nothing turns")
 
 
-def main(out=OUT, parts=35, cells=127, with_prospero=True, voxel=1, head_voxel=2, job=ROOT / "examples" / "cam" / "knob_five_axis.toml", frames=FRAMES, cell=0.2):
+def main(out=OUT, parts=35, cells=127, with_prospero=True, voxel=1, head_voxel=2,
+         job=ROOT / "examples" / "cam" / "knob_five_axis.toml", frames=FRAMES, cell=0.2):
     """Makes the page in a folder; a test has fewer parts and larger cells."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
@@ -177,7 +209,8 @@ def main(out=OUT, parts=35, cells=127, with_prospero=True, voxel=1, head_voxel=2
     with_scripts(out)
     (out / "index.html").write_text(page(rows, cells, mill, scan, cut, frames, plate))
     passed = [row[5]["passed"] for row in rows] + ([plate[2]["passed"]] if plate else [])
-    print(f"\ndemo: {sum(passed)} of {len(passed)} parts passed their checks, prospero's plate among them; see {out}/index.html")
+    print(f"\ndemo: {sum(passed)} of {len(passed)} parts passed their checks, prospero's plate among them; "
+          f"see {out}/index.html")
     return 0 if all(passed) else 1
 
 

@@ -1,4 +1,4 @@
-"""Takes the pictures of FreeCAD that the documents show, from the tests that drive its real window: run by ./dev docs."""
+"""Takes the pictures of FreeCAD for the documents, from the tests that drive its real window. Run by ./dev docs."""
 
 import os
 import pathlib
@@ -17,14 +17,16 @@ FIGURE_OF = {
     "window_openscad": {"openscad": "freecad_openscad"},
     "window_scan": {"scan_bone": "freecad_scan"},
     "window_simulation": {"simulation_deviation": "freecad_simulation"},
-    "window_tutorial": {name: f"tutorial/{name}" for name in ("bracket", "scan", "blend", "check", "plan", "playing", "deviations")},
+    "window_tutorial": {name: f"tutorial/{name}"
+                        for name in ("bracket", "scan", "blend", "check", "plan", "playing", "deviations")},
 }
 
 
 def take(test):
     """Runs a test file in FreeCAD's window and puts its screenshots in their places; whether all went well."""
     with tempfile.TemporaryDirectory() as shots:
-        pytest = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/hosts/freecad_inside_test.py", "-k", f"{test} and not {test}_"]
+        pytest = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/hosts/freecad_inside_test.py",
+                  "-k", f"{test} and not {test}_"]
         env = {**os.environ, "FIELDFAB_SHOTS": shots, "PYTHONPATH": str(ROOT / "build" / "release" / "python")}
         good = subprocess.run(pytest, cwd=ROOT, env=env).returncode == 0
         for shot, figure in FIGURE_OF[test].items() if good else ():

@@ -1,5 +1,6 @@
-"""Makes what is made from the design language's own table and from examples/: the shape library's manual with its pictures, the
-gallery, and the type stubs of fieldfab.shapes. Run by ./dev docs; --check only tells whether the texts are up to date."""
+"""Makes the documents that follow from the design language's own table and from examples/: the shape library's manual
+with its pictures, the gallery, and the type stubs of fieldfab.shapes. Run by ./dev docs; --check only tells whether the
+texts are up to date."""
 
 import pathlib
 import sys
@@ -17,10 +18,13 @@ DISTANCES = {"exact": "exact", "bound": "bound", "neither": "–", "": ""}
 
 def stubs():
     kinds = {"expression": "Operand", "angle": "Operand", "number": "float", "whole": "int", "text": "str"}
-    lines = ['"""Shapes, and what is done with them, as expressions. Lengths in mm, angles in radians. Made by ./dev docs."""', ""]
-    lines += ["from collections.abc import Iterable", "from typing import Any", "", "from ._core import Operand, Solid", ""]
+    lines = ['"""Shapes, and what is done with them, as expressions. Lengths in mm, angles in radians. '
+             'Made by ./dev docs."""', ""]
+    lines += ["from collections.abc import Iterable", "from typing import Any", "", "from ._core import Operand, Solid",
+              ""]
     for f in library():
-        parts = [f"{p['name']}: {kinds[p['kind']]}" + ("" if p["default"] is None else " = ...") for p in f["parameters"]]
+        parts = [f"{p['name']}: {kinds[p['kind']]}" + ("" if p["default"] is None else " = ...")
+                 for p in f["parameters"]]
         if f["any_number"]:  # further ones, one by one or in lists
             parts = [f"*{f['parameters'][0]['name']}: Any"]
         lines.append(f"def {f['name']}({', '.join(parts)}) -> Solid: ...")
@@ -35,12 +39,16 @@ def manual():
     lines = [
         "# The shape library",
         "",
-        "All functions of `.frep` text and of Python's `fieldfab.shapes`, with a picture of each example; made by `./dev docs`.",
-        "Lengths are mm; angles are degrees in `.frep`, radians in Python. All arguments except counts and plain numbers may",
+        "All functions of `.frep` text and of Python's `fieldfab.shapes`, with a picture of each example; "
+        "made by `./dev docs`.",
+        "Lengths are mm; angles are degrees in `.frep`, radians in Python. "
+        "All arguments except counts and plain numbers may",
         "depend on `x`, `y` and `z`.",
         "",
-        "*Exact*: the value is the distance to the surface. *Bound*: the value is never more than that, so that offsets and",
-        "walls are at least that far away, and edges stay sharp when the solid grows. *–*: only the sign is defined, and the",
+        "*Exact*: the value is the distance to the surface. "
+        "*Bound*: the value is never more than that, so that offsets and",
+        "walls are at least that far away, and edges stay sharp when the solid grows. "
+        "*–*: only the sign is defined, and the",
         "value is smooth.",
     ]
     group = None
@@ -56,18 +64,22 @@ def manual():
 
 
 def gallery():
-    lines = ["# Gallery", "", "The designs of `examples/`, each a few lines of `.frep`; pictures by `fieldfab render`, made by `./dev docs`.", ""]
+    lines = ["# Gallery", "", "The designs of `examples/`, each a few lines of `.frep`; "
+             "pictures by `fieldfab render`, made by `./dev docs`.", ""]
     for path in sorted((ROOT / "examples").glob("*.frep")):
         title, *text = path.read_text().splitlines()
         name = path.stem.replace("_", " ")
-        lines += [f"## {name.capitalize()}", "", title.lstrip("# ").capitalize() + ".", "", f"![{name}](figures/gallery/{path.stem}.png)", ""]
+        lines += [f"## {name.capitalize()}", "", title.lstrip("# ").capitalize() + ".", "",
+                  f"![{name}](figures/gallery/{path.stem}.png)", ""]
         lines += ["```frep", *text, "```", ""]
     for path in sorted((ROOT / "examples" / "openscad").glob("*.scad")):
         if path.stem == "fieldfab":  # the library, put there by a run
             continue
         title, *text = path.read_text().splitlines()
-        lines += [f"## {path.stem.capitalize()}, in OpenSCAD", "", title.lstrip("/ "), "", f"![{path.stem}](figures/openscad_{path.stem}.png)", ""]
-        lines += [f"`fieldfab openscad examples/openscad/{path.name} -o {path.stem}.stl` ([openscad.md](openscad.md))", "", "```openscad", *text, "```", ""]
+        lines += [f"## {path.stem.capitalize()}, in OpenSCAD", "", title.lstrip("/ "), "",
+                  f"![{path.stem}](figures/openscad_{path.stem}.png)", ""]
+        lines += [f"`fieldfab openscad examples/openscad/{path.name} -o {path.stem}.stl` ([openscad.md](openscad.md))",
+                  "", "```openscad", *text, "```", ""]
     return "\n".join(lines)
 
 
@@ -92,7 +104,8 @@ def texts():
 
 def main():
     if "--check" in sys.argv:
-        stale = [str(path.relative_to(ROOT)) for path, text in texts().items() if not path.exists() or path.read_text() != text]
+        stale = [str(path.relative_to(ROOT)) for path, text in texts().items()
+                 if not path.exists() or path.read_text() != text]
         sys.exit(f"stale, run ./dev docs: {', '.join(stale)}" if stale else 0)
     for path, text in texts().items():
         path.write_text(text)

@@ -30,7 +30,8 @@ def page(command):
            f".SH DESCRIPTION\n{escaped(summary)}\n.SH OPTIONS\n{verbatim(options)}.SH VERBS\n"]
     for verb in re.findall(r"^  ([a-z]+) ", verbs, re.M):
         out.append(f".SS {verb}\n{verbatim(help_of(command, verb))}")
-    out.append(".SH EXIT STATUS\n0: done. 1: a check or comparison failed. 2: bad usage or bad input. 3: an internal error. 130: cancelled.\n")
+    out.append(".SH EXIT STATUS\n0: done. 1: a check or comparison failed. 2: bad usage or bad input. "
+               "3: an internal error. 130: cancelled.\n")
     return "".join(out)
 
 

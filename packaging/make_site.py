@@ -1,4 +1,5 @@
-"""Makes the site of ./dev docs in out/site: pages and Python reference by Sphinx, C++ reference by Doxygen, links checked.
+"""Makes the site of ./dev docs in out/site: pages and Python reference by Sphinx, C++ reference by Doxygen, links
+checked.
 
 Any warning of either program, and any link between pages that leads nowhere, is an error.
 """
@@ -20,7 +21,8 @@ def made():
     shutil.rmtree(SITE, ignore_errors=True)
     SITE.mkdir(parents=True)
     subprocess.run(["doxygen", "packaging/site/Doxyfile"], cwd=ROOT, check=True)
-    command = ["sphinx-build", "-q", "-W", "--keep-going", "-b", "html", "-d", "out/site-cache", "-c", "packaging/site", ".", "out/site"]
+    command = ["sphinx-build", "-q", "-W", "--keep-going", "-b", "html", "-d", "out/site-cache", "-c", "packaging/site",
+               ".", "out/site"]
     subprocess.run(command, cwd=ROOT, check=True)
     (SITE / "index.html").write_text(START)
 

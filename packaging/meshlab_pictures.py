@@ -1,4 +1,4 @@
-"""Takes the pictures of MeshLab that docs/meshlab.md shows, from the tests that drive its real window: run by ./dev docs."""
+"""Takes the pictures of MeshLab for docs/meshlab.md, from the tests that drive its real window. Run by ./dev docs."""
 
 import os
 import pathlib
@@ -9,7 +9,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "docs" / "figures"
-FIGURE_OF = {"meshlab-menu": "meshlab_menu", "meshlab-dialog": "meshlab_dialog", "meshlab-remesh": "meshlab_remesh", "meshlab-deviation": "meshlab_deviation",
+FIGURE_OF = {"meshlab-menu": "meshlab_menu", "meshlab-dialog": "meshlab_dialog", "meshlab-remesh": "meshlab_remesh",
+             "meshlab-deviation": "meshlab_deviation",
              "meshlab-cancel": "meshlab_cancel"}
 
 

@@ -1,10 +1,14 @@
-"""Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <- {cam, openscad} <- {cli, python} <- hosts.
+"""Who may include whom:
 
-openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg files, which are
-models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it brings a larger table of formats (openscad::all_formats()).
+    core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <- {cam, openscad}
+    <- {cli, python} <- hosts
 
-In cam: base <- {gcode, stock} <- plan <- machine <- job <- simulate, but plan does not know gcode. This goes for the rooms' private
-headers, too, which nothing outside of cam includes.
+openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg
+files, which are models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it
+brings a larger table of formats (openscad::all_formats()).
+
+In cam: base <- {gcode, stock} <- plan <- machine <- job <- simulate, but plan does not know gcode. This goes for the
+rooms' private headers, too, which nothing outside of cam includes.
 
 The FreeCAD workbench in Python: base <- objects <- files <- views <- panels <- commands <- start. Neither the workbench
 nor the Python module has an import cycle, imports inside functions included."""
@@ -78,7 +82,8 @@ def cam_violation(path, name):
     if path.parts[0] != "cam":
         return ""
     room = cam_room_of(path.parts)
-    return "" if other == room or other in CAM.get(room, ()) else f"{path}: {room or 'no room'} must not include {other} ({name})"
+    return ("" if other == room or other in CAM.get(room, ())
+            else f"{path}: {room or 'no room'} must not include {other} ({name})")
 
 
 def is_of_meshlab(name):
@@ -96,7 +101,8 @@ def violations(path, text):
                 found.append(f"{path}: {room} must not include {other} ({name})")
         if wrong := cam_violation(path, name):
             found.append(wrong)
-        if path.suffix == ".h" and "include" in path.parts and str(path) not in HEAVY_ALLOWED and name.startswith(HEAVY):
+        if (path.suffix == ".h" and "include" in path.parts and str(path) not in HEAVY_ALLOWED
+                and name.startswith(HEAVY)):
             found.append(f"{path}: the heavy header {name} belongs into a .cpp file")
         if room == "meshlab_filter" and path.parts[2] != "meshlab_2020" and is_of_meshlab(name):
             found.append(f"{path}: {name} belongs into the folder of MeshLab's interface")
@@ -118,9 +124,11 @@ def test_includes_go_downwards():
 def test_the_architecture_has_every_room():
     told = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     folders = [folder for part in ("kernel/src", "cam") for folder in sorted((ROOT / part).iterdir())]
-    rooms = {str(folder.relative_to(ROOT)).removeprefix("kernel/src/") for folder in folders if list(folder.glob("*.cpp"))}
+    rooms = {str(folder.relative_to(ROOT)).removeprefix("kernel/src/")
+             for folder in folders if list(folder.glob("*.cpp"))}
     rooms |= {path.parent.name for path in ROOT.glob("*/CMakeLists.txt")} - {"kernel", "cam", "tests", "build"}
-    assert [room for room in sorted(rooms) if f"`{room.removeprefix('cam/')}`" not in told and f"/{room}`" not in told] == []
+    assert [room
+            for room in sorted(rooms) if f"`{room.removeprefix('cam/')}`" not in told and f"/{room}`" not in told] == []
 
 
 def test_planted_violations_are_caught():
@@ -144,7 +152,8 @@ def test_every_file_of_cam_lies_in_a_room():
 def test_planted_violations_of_cam_are_caught():
     path = pathlib.PurePosixPath
     public, private = "cam/include/fieldfab/cam", "cam"
-    for room, other in (("base", "plan"), ("gcode", "stock"), ("stock", "gcode"), ("plan", "gcode"), ("plan", "machine"),
+    for room, other in (("base", "plan"), ("gcode", "stock"), ("stock", "gcode"), ("plan", "gcode"),
+                        ("plan", "machine"),
                         ("stock", "simulate"), ("machine", "job"), ("job", "simulate")):
         for folder in (public, private):
             assert violations(path(f"{folder}/{room}/a.h"), f'#include "fieldfab/cam/{other}/a.h"'), (room, other)
@@ -232,17 +241,21 @@ def test_the_python_module_has_no_import_cycle():
 
 
 def test_the_web_server_knows_the_module_only():
-    """It is fieldfab.serve where it is installed: it imports the standard library, aiohttp, NumPy, Dask and fieldfab, in layers; nobody else of the house imports it."""
+    """web/server is fieldfab.serve where it is installed. It imports the standard library, aiohttp, NumPy, Dask and
+    fieldfab, in layers. No other part of the project imports it."""
     sources = python_sources(ROOT / "web" / "server")
     assert len(sources) > 10 and python_cycle({f"serve.{name}": text for name, text in sources.items()}) == []
     allowed = sys.stdlib_module_names | {"aiohttp", "distributed", "fieldfab", "numpy"}
     for name, text in sources.items():
         for node in ast.walk(ast.parse(text)):
-            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else [node.module] if isinstance(node, ast.ImportFrom) and not node.level else []
+            names = ([alias.name for alias in node.names] if isinstance(node, ast.Import)
+                     else [node.module] if isinstance(node, ast.ImportFrom) and not node.level else [])
             assert [each for each in names if each.split(".")[0] not in allowed] == [], name
             if isinstance(node, ast.ImportFrom) and node.level and name in WORKER_SIDE:
-                assert {node.module or each for each in ([node.module] if node.module else [alias.name for alias in node.names])} <= WORKER_SIDE, name
-    others = [path for folder in ("python", "freecad_workbench") for path in (ROOT / folder).rglob("*.py") if "fieldfab.serve" in path.read_text()]
+                known = {node.module} if node.module else {alias.name for alias in node.names}
+                assert known <= WORKER_SIDE, name
+    others = [path for folder in ("python", "freecad_workbench") for path in (ROOT / folder).rglob("*.py")
+              if "fieldfab.serve" in path.read_text()]
     assert others == []
 
 

@@ -1,4 +1,5 @@
-"""Spelling, columns, tables and links of sources and documents: what packaging/check_text.py finds, which ./dev lint runs, too."""
+"""Spelling, columns, tables and links of sources and documents: the findings of packaging/check_text.py, which ./dev
+lint runs, too."""
 
 import importlib.util
 import pathlib
@@ -46,13 +47,16 @@ def test_a_wide_line_is_found_but_not_in_tables(check, page):
     assert check.form_of_document(page(f"```sh\n{wide}\n```\n")) == [f"page.md:2: {len(wide)} columns"]
 
 
-def test_a_wide_comment_of_a_header_is_found(check, page):
-    assert len(check.columns_of_header(page("/// " + "word " * 30 + "\nint a;\n", "a.h"))) == 1
-    assert check.columns_of_header(page("int " + "a" * 130 + ";\n", "a.h")) == []  # clang-format's concern
+def test_a_wide_line_of_a_source_is_found_unless_a_word_leaves_no_room(check, page):
+    wide = "/// " + "word " * 30
+    assert check.columns_of_source(page(f"int a;\n{wide}\n", "a.h")) == [f"a.h:2: {len(wide)} columns"]
+    assert check.columns_of_source(page("# https://" + "a" * 110 + "\n", "a.py")) == []
+    assert check.columns_of_source(page("a" * 60 + " = " + "b" * 60 + "\n", "a.py")) != []
 
 
 def test_a_row_with_another_number_of_cells_is_found(check, page):
-    assert check.form_of_document(page("| a | b |\n|---|---|\n| `a|b` | c |\n")) == ["page.md:3: a row has 3 cells, the first one has 2"]
+    assert check.form_of_document(page("| a | b |\n|---|---|\n| `a|b` | c |\n")) == [
+        "page.md:3: a row has 3 cells, the first one has 2"]
     assert check.form_of_document(page("| a | b |\n|---|---|\n| `a\\|b` | c |\n")) == []
 
 

@@ -1,6 +1,6 @@
-"""Builds the page: build_page.py CLIENT WORK PAGE, and the script of the demo's static page, WORK/demo.js. Packages are installed into WORK
-as the lock file has them; npm runs none of their scripts.
-Without npm, and where its registry is out of reach, it says so in one line, and the rest of the build goes on."""
+"""Builds the page (build_page.py CLIENT WORK PAGE) and the script of the demo's static page, WORK/demo.js. Packages are
+installed into WORK as the lock file has them; npm runs none of their scripts. Without npm, or where its registry is out
+of reach, it says so in one line, and the rest of the build goes on."""
 
 import pathlib
 import shutil
@@ -17,7 +17,8 @@ def no_page(reason):
 
 def run(words, folder):
     try:
-        return subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
+        return subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=SECONDS,
+                              stdin=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
         no_page(f"{words[0]} did not end within {SECONDS} s")
 
@@ -34,7 +35,8 @@ def install(client, work):
     work.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
         shutil.copy(client / name, work / name)
-    done = run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--prefer-offline", "--fetch-retries=1"], work)
+    done = run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--prefer-offline", "--fetch-retries=1"],
+               work)
     if done.returncode != 0:
         no_page("npm ci: " + next((line for line in done.stderr.splitlines() if "error" in line.lower()), "it failed"))
     installed.write_bytes(lock)
@@ -52,8 +54,10 @@ def main():
     shutil.copy(client / "tsconfig.json", work / "tsconfig.json")
     bundle = ["--bundle", "--minify", "--target=es2022"]
     for tool in (["tsc", "--noEmit", "-p", "."],
-                 ["esbuild", "src/main.ts", *bundle, "--format=esm", "--legal-comments=none", "--splitting", "--entry-names=page", f"--outdir={fresh}"],
-                 ["esbuild", "src/demo.ts", *bundle, "--format=iife", "--legal-comments=eof", f"--outfile={work}/demo.js"]):
+                 ["esbuild", "src/main.ts", *bundle, "--format=esm", "--legal-comments=none", "--splitting",
+                  "--entry-names=page", f"--outdir={fresh}"],
+                 ["esbuild", "src/demo.ts", *bundle, "--format=iife", "--legal-comments=eof",
+                  f"--outfile={work}/demo.js"]):
         done = run([str(work / "node_modules" / ".bin" / tool[0]), *tool[1:]], work)
         if done.returncode != 0:
             sys.exit((done.stdout + done.stderr).strip())  # a mistake of ours ends the build

@@ -10,8 +10,11 @@ namespace {
 constexpr const char* style = R"(<style>
 body { font: 15px/1.45 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222 }
 h1 { font-size: 1.5em } h2 { font-size: 1.15em; margin-top: 1.6em }
-table { border-collapse: collapse; width: 100% } td, th { border-bottom: 1px solid #ccc; padding: .3em .6em; text-align: left } th { background: #f3f3f3 }
-td.n { text-align: right } .pictures svg, .pictures img { width: 48%; border: 1px solid #ccc; max-height: 28em } .note { background: #fff3cd; padding: .5em .8em; margin: .4em 0 }
+table { border-collapse: collapse; width: 100% }
+td, th { border-bottom: 1px solid #ccc; padding: .3em .6em; text-align: left } th { background: #f3f3f3 }
+td.n { text-align: right }
+.pictures svg, .pictures img { width: 48%; border: 1px solid #ccc; max-height: 28em }
+.note { background: #fff3cd; padding: .5em .8em; margin: .4em 0 }
 @media print { body { margin: 0 } }
 </style>
 )";

@@ -18,13 +18,19 @@ namespace fieldfab::cam {
 namespace {
 
 constexpr const char* style = R"(<style>
-.verdict { font-size: 1.1em; padding: .6em .9em; border-left: .4em solid } .good { background: #e7f4e8; border-color: #2e7d32 } .bad { background: #fbe9e7; border-color: #b2182b }
-.views { display: grid; grid-template-columns: 1fr 1fr; gap: 1em } figure { margin: 0; break-inside: avoid } figure img { width: 100%; border: 1px solid #ccc }
-figcaption { margin-top: .2em; font-size: .85em; color: #555 } .close { margin-top: 1em; grid-template-columns: 1fr 1fr 1fr }
-code { font: .9em monospace; overflow-wrap: anywhere } .what { font-size: .85em; color: #555 } tr { break-inside: avoid } h2 { break-after: avoid }
-.number { display: inline-block; min-width: 1.6em; text-align: center; border-radius: .8em } .marked { background: #191c24; color: #fff }
+.verdict { font-size: 1.1em; padding: .6em .9em; border-left: .4em solid }
+.good { background: #e7f4e8; border-color: #2e7d32 } .bad { background: #fbe9e7; border-color: #b2182b }
+.views { display: grid; grid-template-columns: 1fr 1fr; gap: 1em }
+figure { margin: 0; break-inside: avoid } figure img { width: 100%; border: 1px solid #ccc }
+figcaption { margin-top: .2em; font-size: .85em; color: #555 }
+.close { margin-top: 1em; grid-template-columns: 1fr 1fr 1fr }
+code { font: .9em monospace; overflow-wrap: anywhere } .what { font-size: .85em; color: #555 }
+tr { break-inside: avoid } h2 { break-after: avoid }
+.number { display: inline-block; min-width: 1.6em; text-align: center; border-radius: .8em }
+.marked { background: #191c24; color: #fff }
 .n, .place { white-space: nowrap } th.n { text-align: right } .place { font-size: .85em }
-.chart { width: 100%; break-inside: avoid } .chart text { font: 11px sans-serif; fill: #444 } .bar { vertical-align: -2px; margin: 0 .3em }
+.chart { width: 100%; break-inside: avoid } .chart text { font: 11px sans-serif; fill: #444 }
+.bar { vertical-align: -2px; margin: 0 .3em }
 .swatch { display: inline-block; width: .9em; height: .9em; margin-right: .5em; vertical-align: -1px }
 @media print { * { print-color-adjust: exact; -webkit-print-color-adjust: exact } }
 </style>

@@ -3,9 +3,10 @@
 
     slotted_ball.py FOLDER [MOVES]
 
-The ball (radius 24 mm) is cut from a block by spirals that come in from outside, ever along its normal and past its equator, so that the
-part has overhangs; then a smaller cutter goes along each slot, leaning all the time. Both axes of the trunnion table turn in nearly
-every move. The part is known in closed form: all that a cutter of radius R touches is R away from where its middle went.
+The ball (radius 24 mm) is cut from a block by spirals that come in from outside, ever along its normal and past its
+equator, so that the part has overhangs; then a smaller cutter goes along each slot, leaning all the time. Both axes of
+the trunnion table turn in nearly every move. The part is known in closed form: all that a cutter of radius R touches is
+R away from where its middle went.
 
 Then: fieldfab simulate FOLDER/slotted_ball.ngc --setup FOLDER/slotted_ball.toml -o part.stl
 """
@@ -17,7 +18,8 @@ import sys
 BALL, REACH = 24.0, math.radians(118)  # mm; how far from the pole the spirals go
 BIG, SMALL = 3.0, 1.5  # radii of the cutters, mm
 SLOTS, SLOT_RADIUS, LEAN = 12, 14.0, math.radians(35)  # the slots' bottoms are lines at this distance from the middle
-SPIRALS = [(48 - 3 * i, 3.0) for i in range(7)] + [(BALL + BIG, 0.45)]  # distance of the cutter's middle, and between turns
+# The distance of the cutter's middle, and that between turns.
+SPIRALS = [(48 - 3 * i, 3.0) for i in range(7)] + [(BALL + BIG, 0.45)]
 DEPTHS = [10.0 - i for i in range(11)]  # of the slots' passes, above their bottoms
 
 
@@ -71,7 +73,8 @@ class Writer:
         x, y = (math.cos(turn) * tip[0] - math.sin(turn) * tip[1], math.sin(turn) * tip[0] + math.cos(turn) * tip[1])
         y, z = (math.cos(tilt) * y - math.sin(tilt) * tip[2], math.sin(tilt) * y + math.cos(tilt) * tip[2])
         feed = "" if rapid or self.lines[-1].startswith("G1") else " F1500"
-        self.lines.append(f"{'G0' if rapid else 'G1'} X{x:.4f} Y{y:.4f} Z{z:.4f} A{math.degrees(tilt):.4f} C{math.degrees(turn):.4f}{feed}")
+        self.lines.append(f"{'G0' if rapid else 'G1'} X{x:.4f} Y{y:.4f} Z{z:.4f} A{math.degrees(tilt):.4f} "
+                          f"C{math.degrees(turn):.4f}{feed}")
         self.moves += 1
 
     def along(self, places, radius):
@@ -102,7 +105,8 @@ def part():
     slots = []
     for number in range(SLOTS):
         _, out, along = slot_frame(number)
-        across = (out[1] * along[2] - out[2] * along[1], out[2] * along[0] - out[0] * along[2], out[0] * along[1] - out[1] * along[0])
+        across = (out[1] * along[2] - out[2] * along[1], out[2] * along[0] - out[0] * along[2],
+                  out[0] * along[1] - out[1] * along[0])
         outwards = f"{out[0]:.9f} * x + {out[1]:.9f} * y - {SLOT_RADIUS}"
         aside = f"{across[0]:.9f} * x + {across[1]:.9f} * y + {across[2]:.9f} * z"
         slots.append(f"sqrt(square(min({outwards}, 0)) + square({aside})) - {SMALL}")

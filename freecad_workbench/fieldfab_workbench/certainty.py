@@ -1,4 +1,5 @@
-"""How certain a solid's mesh is: whether it is proved that all of the solid is in it, else where parts may be missing."""
+"""Certainty of a solid's mesh: whether it is proved that the mesh shows all of the solid, else where parts may be
+missing."""
 
 import FreeCAD
 
@@ -9,7 +10,8 @@ DOUBTFUL = "doubtful"  # of a state that is neither good nor bad: valid, but not
 
 
 def doubt_of(mesh):
-    """A line on where a mesh that was just made is not certain; "" where it is. One without certainty is of the solid's own faces."""
+    """Returns a line that says where a mesh that was just made is not certain; "" where it is. A mesh without certainty
+    is one of the solid's own faces."""
     certainty = getattr(mesh, "certainty", None)
     return "" if certainty is None or certainty.certain else str(certainty)
 
@@ -27,11 +29,13 @@ def is_uncertain(obj):
 
 
 def uncertain_places(obj):
-    """[(lower, upper)]: corners of the boxes in which parts may be missing, in the solid's own coordinates, the largest first."""
+    """Corners of the boxes in which parts may be missing: [(lower, upper)] in the solid's own coordinates, the largest
+    first."""
     corners = getattr(obj, "UncertainPlaces", None) or []
     return list(zip(corners[::2], corners[1::2]))
 
 
 def with_doubt(words, doubt):
-    """The line of a panel and its state: `words` of a valid solid, and where there is doubt about its mesh, what about."""
+    """Returns the line of a panel and its state. `words`: what is said of a valid solid; where its mesh is not certain,
+    the line says why."""
     return (words + "\n" + tr("The mesh is {certainty}").format(certainty=doubt), DOUBTFUL) if doubt else (words, True)

@@ -2,12 +2,13 @@
 
 import numpy as np
 
-STOPS = np.array([[0.10, 0.25, 0.80], [0.35, 0.70, 0.95], [0.92, 0.95, 0.92], [0.98, 0.70, 0.25], [0.80, 0.10, 0.08]])  # inside to outside
+# From inside to outside.
+STOPS = np.array([[0.10, 0.25, 0.80], [0.35, 0.70, 0.95], [0.92, 0.95, 0.92], [0.98, 0.70, 0.25], [0.80, 0.10, 0.08]])
 
 
 def deviations(field, vertices, triangles):
-    """Of each vertex the distance to the surface, mm, above 0 outside of the solid: its own or that of the middle of a triangle around it,
-    whichever is farther."""
+    """Distance of each vertex to the surface, mm, above 0 outside of the solid: that of the vertex itself or of the
+    middle of a triangle around it, whichever is farther."""
     triangles = np.asarray(triangles, dtype=np.int64)
     farthest = field.surface_distances(vertices)
     of_middles = field.surface_distances(vertices[triangles].mean(axis=1, dtype=np.float32))

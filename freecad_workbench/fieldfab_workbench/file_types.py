@@ -25,7 +25,8 @@ def table():
 
 def extensions(*kinds, **wanted):
     """The extensions, without dots, of the formats of these kinds that have these values: reads, writes, parts."""
-    rows = [row for row in table() if row["kind"] in kinds and all(row[name] == value for name, value in wanted.items())]
+    rows = [row
+            for row in table() if row["kind"] in kinds and all(row[name] == value for name, value in wanted.items())]
     return tuple(extension[1:] for row in rows for extension in row["extensions"])
 
 

@@ -1,7 +1,7 @@
 """File > Open, Import and Export, and dropping files on the window: FreeCAD calls `open`, `insert` and `export` here.
 
-Models come in as parametric objects; what goes out is made anew from them, never cut down to the mesh on the screen. Scripts (.py) do not
-come in here: commands/scans.py runs them, once their user has said so."""
+Models come in as parametric objects; what goes out is made anew from them, never cut down to the mesh on the screen.
+Scripts (.py) do not come in here: commands/scans.py runs them, once their user has said so."""
 
 import functools
 import os
@@ -30,9 +30,9 @@ def open(filename):  # noqa: A001: the name that FreeCAD calls
 
 @_for_the_user
 def insert(filename, docname):
-    """Adds the file's solid to a document, a new one where there is none of that name, of several parts a group; in the
-    window a scan's panel opens, and nothing is computed before its OK. Returns the object. Raises ValueError with a line
-    for the user, and then adds nothing."""
+    """Adds the file's solid to a document, or to a new one where none has that name; several parts become a group. In
+    the window a scan opens its panel, and nothing is computed before OK. Returns the object. Raises ValueError with a
+    line for the user; then nothing is added."""
     format = format_of(filename)
     kind = "volume" if _ending(filename) in SLICES or os.path.isdir(filename) else format and format["kind"]
     if kind in ("design", "formula", "mesh"):
@@ -41,7 +41,8 @@ def insert(filename, docname):
             show_all(made.Document)
         return made
     if kind not in ("volume", "distances"):
-        raise ValueError(tr("{filename}: Fieldfab reads no .{ending} files").format(filename=filename, ending=_ending(filename)))
+        raise ValueError(
+            tr("{filename}: Fieldfab reads no .{ending} files").format(filename=filename, ending=_ending(filename)))
     path = whole_stack(os.path.abspath(filename))
     name = name_of(path)
     if docname in FreeCAD.listDocuments():
@@ -72,7 +73,8 @@ def add(document, kind, label, **values):
 
 
 def _edited(obj):
-    """Opens the panel of a new object, unless another is open; it goes on with the undo step, which would else end with FreeCAD's command."""
+    """Opens the panel of a new object, unless another is open. The panel continues the undo step, which would otherwise
+    end with FreeCAD's command."""
     import FreeCADGui
 
     if FreeCADGui.Control.activeDialog():

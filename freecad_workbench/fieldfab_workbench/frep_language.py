@@ -1,4 +1,5 @@
-"""The kernel's grammar of .frep text, for a window: places are counted as Qt counts them, in UTF-16 units. Nothing here needs a window."""
+"""The kernel's grammar of .frep text, for a window: places are counted in UTF-16 units, as Qt does. Needs no window
+itself."""
 
 from bisect import bisect_right
 from dataclasses import dataclass
@@ -7,7 +8,8 @@ from itertools import accumulate
 from . import kernel
 from .words import marked, tr
 
-MEANINGS = marked(("the first coordinate, mm", "the second coordinate, mm", "the third coordinate, mm", "exact distance", "never more than the distance"))
+MEANINGS = marked(("the first coordinate, mm", "the second coordinate, mm", "the third coordinate, mm",
+                   "exact distance", "never more than the distance"))
 
 
 def grammar():
@@ -47,7 +49,8 @@ class Mistake:
 def tokens(text):
     """(kind, start, end, the token) of each token."""
     places = Places(text)
-    return [(t.kind, *places.span(t), places.data[t.offset:t.offset + t.length].decode("utf-8", "replace")) for t in grammar().tokens(places.data)]
+    return [(t.kind, *places.span(t), places.data[t.offset:t.offset + t.length].decode("utf-8", "replace"))
+            for t in grammar().tokens(places.data)]
 
 
 def parameters(text):

@@ -17,7 +17,8 @@ def load():
         import fieldfab
     except ImportError:
         if not os.path.isdir(BUILT):
-            raise ImportError(f"Fieldfab's kernel is not built: run ./dev build in {os.path.normpath(os.path.join(HERE, '..', '..'))}") from None
+            raise ImportError("Fieldfab's kernel is not built: "
+                              f"run ./dev build in {os.path.normpath(os.path.join(HERE, '..', '..'))}") from None
         sys.path.append(BUILT)
         import fieldfab
     _follow_preferences(fieldfab)

@@ -1,5 +1,5 @@
-"""Meshes of the kernel and of FreeCAD, each as the other, whole: no loop over triangles in Python. They go through files, since FreeCAD
-0.20 loses parts of what it writes to a Python stream."""
+"""Conversion of meshes between the kernel and FreeCAD, whole: no loop over triangles in Python. Meshes go through
+files, since FreeCAD 0.20 loses parts of what it writes to a Python stream."""
 
 import os
 import tempfile

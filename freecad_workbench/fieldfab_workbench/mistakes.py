@@ -1,4 +1,5 @@
-"""What is wrong, or was stopped, in one line for the user. FreeCAD would add to it where in these sources it was raised, as many lines as there are calls."""
+"""Errors and cancelled work, told to the user in one line. FreeCAD alone would add where in these sources the error was
+raised, a line for each call."""
 
 import functools
 import sys
@@ -32,7 +33,8 @@ class Stopped(ValueError):
 
 
 def in_a_line(function, dialog=False):
-    """The function; what it raises for the user is a Mistake then, which a dialog of the window shows, too, where one is asked for."""
+    """Returns the function with its errors for the user turned into Mistakes. On request a dialog of the window shows
+    them, too."""
 
     @functools.wraps(function)
     def told(*arguments, **named):
@@ -56,6 +58,7 @@ def show(words):
 
     from .shim import QtCore, QtWidgets  # without a window there need be no Qt
 
-    box = QtWidgets.QMessageBox(QtWidgets.QMessageBox.Warning, "Fieldfab", words, QtWidgets.QMessageBox.Ok, FreeCADGui.getMainWindow())
+    box = QtWidgets.QMessageBox(QtWidgets.QMessageBox.Warning, "Fieldfab", words, QtWidgets.QMessageBox.Ok,
+                                FreeCADGui.getMainWindow())
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     box.open()

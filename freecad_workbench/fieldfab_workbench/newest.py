@@ -9,8 +9,9 @@ PATIENCE = 0.5  # seconds that work may go on once something newer waits
 
 
 class Newest:
-    """`ask(function, then)` runs `function(progress)` on a thread and then `then(result)` in the window's. What is asked while one runs
-    replaces what waits. `failed(error)` gets what a function raised; `busy(fraction, message)` is told how far the work is, and None, "" at its end."""
+    """`ask(function, then)` runs `function(progress)` on a thread and then `then(result)` in the window's thread. A
+    call while one runs replaces the one that waits. `failed(error)` gets what a function raised. `busy(fraction,
+    message)` is told the progress, and (None, "") at the end."""
 
     def __init__(self, failed, busy=lambda fraction, message: None):
         self._failed, self._busy = failed, busy

@@ -1,7 +1,8 @@
 """OpenSCAD's text of solids, and the Source that evaluates it. Nothing here looks at a document.
 
-Every object that came out of a design keeps its own arguments only; what it is with all that is below it is put together as .csg text, and the kernel
-evaluates that as one. So faces that coincide meet exactly, as they do when a whole file is read, and a hull has its children's corners."""
+Every object that came out of a design keeps only its own arguments. The object and all below it are put together as
+one .csg text, which the kernel evaluates as a whole. So faces that coincide meet exactly, as they do when a whole file
+is read, and a hull has its children's corners."""
 
 import os
 import re
@@ -29,12 +30,14 @@ def literal(value):
 
 
 def matrix_of(placement):
-    """The 16 numbers of a FreeCAD placement, for Text.placed(). What its quaternion loses is made good: after quarter turns faces are in one plane."""
+    """The 16 numbers of a FreeCAD placement, for Text.placed(). The rounding of its quaternion is corrected: after
+    quarter turns faces lie in one plane."""
     return [round(number, 14) + 0.0 for number in placement.toMatrix().A]
 
 
 class Text:
-    """Lines of .csg text, each with the label of the object that it is from, and the paths of the files that it names."""
+    """Lines of .csg text, each with the label of the object that it came from, and the paths of the files that the text
+    names."""
 
     def __init__(self, lines, files=()):
         self.lines, self.files = tuple(lines), tuple(files)
@@ -114,14 +117,16 @@ class OpenScadSource(Source):
         """A message with the label of the object that it is about."""
         match = _PLACE.match(message)
         line = int(match[1]) if match else 0
-        return f"{self.text.lines[line - 1][1]}: {message[match.end():]}" if 0 < line <= len(self.text.lines) else message
+        return (f"{self.text.lines[line - 1][1]}: {message[match.end():]}" if 0 < line <= len(self.text.lines)
+                else message)
 
     def field(self, progress=None):
         return self.design(progress).solid
 
     def solid(self, progress=None):
         """Its Text, of a flat design that of the plate. Raises fieldfab.Error."""
-        return self.text.within(f"linear_extrude(height = {literal(PLATE)})", self.label) if self.design(progress).flat else self.text
+        return (self.text.within(f"linear_extrude(height = {literal(PLATE)})", self.label) if self.design(progress).flat
+                else self.text)
 
     def notes(self):
         """What was left out or mended, one line each."""
@@ -129,8 +134,8 @@ class OpenScadSource(Source):
 
 
 def faces_together(parts, progress=None):
-    """A mesh of the faces of solids united, [(OpenScadSource, the FreeCAD placement that puts it there)]; None where they cannot be had. Raises
-    fieldfab.Error."""
+    """Mesh of the united faces of solids, [(OpenScadSource, its FreeCAD placement)]; None where the faces cannot be
+    had. Raises fieldfab.Error."""
     (first, placement), label = parts[0], parts[0][0].label
     if len(parts) == 1 and placement.isIdentity():
         return first.faces(progress)

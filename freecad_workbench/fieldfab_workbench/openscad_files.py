@@ -1,4 +1,5 @@
-"""OpenSCAD's designs that come in: .csg files, and .scad files through the installed OpenSCAD. One tree of objects, in one undo step, or nothing at all."""
+"""Import of OpenSCAD's designs: .csg files, and .scad files through the installed OpenSCAD. Adds one tree of objects in
+one undo step, or nothing at all."""
 
 import os
 
@@ -15,11 +16,13 @@ BACKGROUND, TRANSPARENCY = (0.6, 0.6, 0.65), 70  # of what it only shows (%)
 
 
 def insert(filename, docname, name):
-    """Adds a design to the document of that name, a new one where there is none. Returns the root object, the only one that is seen but for those that
-    the design only shows. Raises ValueError with a line for the user, and then all is as it was."""
+    """Adds a design to the document of that name, or to a new one where there is none. Returns the root object; only
+    the root is visible, and the parts that the design merely shows. Raises ValueError with a line for the user; then
+    the document is unchanged."""
     fieldfab, filename = kernel.load(), os.path.abspath(filename)
     try:
-        tree = work.run(lambda progress: fieldfab.read_openscad_tree(filename, progress=progress), tr("Reading {name}").format(name=os.path.basename(filename)))
+        tree = work.run(lambda progress: fieldfab.read_openscad_tree(filename, progress=progress),
+                        tr("Reading {name}").format(name=os.path.basename(filename)))
     except fieldfab.Error as error:
         raise ValueError(str(error)) from None
     except work.Cancelled:
@@ -86,7 +89,8 @@ def _show(obj):
 def _create(document, part, made):
     """The objects of a part, those it is made of first; none of them is seen."""
     children = [_create(document, child, made) for child in part.children]
-    kind = {"node": openscad_node.OpenScadNode, "set": combine.Combine, "scaled": modify.Modify, "text": openscad_node.OpenScadText}[part.make]
+    kind = {"node": openscad_node.OpenScadNode, "set": combine.Combine, "scaled": modify.Modify,
+            "text": openscad_node.OpenScadText}[part.make]
     obj = solid.create(kind, document, part.label)
     made.append(obj)
     obj.Label = part.label

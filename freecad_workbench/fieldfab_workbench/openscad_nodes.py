@@ -14,7 +14,8 @@ class Unfit(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Argument:
-    """An argument and the properties that hold it: (name, description) each; several hold a list. `kind`: of the properties."""
+    """An argument and the properties that hold it, (name, description) each; several properties hold a list. `kind`:
+    type of the properties."""
 
     name: str
     kind: str
@@ -59,7 +60,8 @@ def _words(value):
 
 
 def _points(value):
-    if not isinstance(value, (list, tuple)) or any(not isinstance(point, list) or len(point) not in (2, 3) for point in value):
+    if (not isinstance(value, (list, tuple))
+            or any(not isinstance(point, list) or len(point) not in (2, 3) for point in value)):
         raise Unfit(value)
     return [tuple(map(_number, [*point, 0][:3])) for point in value]
 
@@ -81,12 +83,14 @@ def _paths_of(lines):
 def _matrix(value):
     import FreeCAD
 
-    if not isinstance(value, list) or len(value) not in (3, 4) or any(not isinstance(row, list) or len(row) != 4 for row in value):
+    if (not isinstance(value, list) or len(value) not in (3, 4)
+            or any(not isinstance(row, list) or len(row) != 4 for row in value)):
         raise Unfit(value)
     return FreeCAD.Matrix(*(_number(each) for row in (*value, [0, 0, 0, 1])[:4] for each in row))
 
 
-READERS = {"Length": _number, "Distance": _number, "Angle": _number, "Float": _number, "Bool": _truth, "String": _words, "File": _words,
+READERS = {"Length": _number, "Distance": _number, "Angle": _number, "Float": _number, "Bool": _truth, "String": _words,
+           "File": _words,
            "VectorList": _points, "StringList": _paths, "Matrix": _matrix}
 WRITERS = {"Length": lambda held: held.Value, "Distance": lambda held: held.Value, "Angle": lambda held: held.Value,
            "VectorList": lambda held: [tuple(point) for point in held], "StringList": _paths_of,
@@ -180,7 +184,8 @@ def properties_of(node):
     kind, given = KINDS[key_of(node)], node.arguments
     if set(given) - {argument.name for argument in kind.arguments} - IGNORED:
         raise Unfit(node.name)
-    return {name: value for argument in kind.arguments for name, value in argument.to_properties(given.get(argument.name)).items()}
+    return {name: value for argument in kind.arguments
+            for name, value in argument.to_properties(given.get(argument.name)).items()}
 
 
 def values_of(key, obj):

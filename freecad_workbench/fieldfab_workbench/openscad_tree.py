@@ -1,5 +1,5 @@
-"""An OpenSCAD design's tree as parts: what is to become of it in a document. Groups that join nothing are left out, colours and moves are what the parts
-themselves have. Nothing here changes a document."""
+"""The parts of an OpenSCAD design's tree, each as an object of a document to be. Groups that join nothing are left out;
+colours and moves become those of the parts. Changes no document."""
 
 import dataclasses
 import heapq
@@ -10,12 +10,14 @@ import FreeCAD
 
 from .openscad_nodes import Unfit, key_of, properties_of
 
-MOST_PARTS = 300  # of a larger design whole branches become one object with their text: a larger tree would be no help, and slow
+# In larger designs whole branches become one object with their text: a larger tree would be slow and no help.
+MOST_PARTS = 300
 DEEPEST = 100  # parts within parts
 MOST_NODES = 20_000  # of the file, groups and moves among them; a larger one is one object
 RIGID = 1e-5  # OpenSCAD writes matrices with six digits
 
-SETS = {"group": "Union", "union": "Union", "render": "Union", "color": "Union", "multmatrix": "Union", "difference": "Difference", "intersection": "Intersection"}
+SETS = {"group": "Union", "union": "Union", "render": "Union", "color": "Union", "multmatrix": "Union",
+        "difference": "Difference", "intersection": "Intersection"}
 
 
 class TooLarge(Exception):
@@ -24,7 +26,7 @@ class TooLarge(Exception):
 
 @dataclasses.dataclass
 class Part:
-    """An object to be: what it is (`make`: node, set, scaled or text), its properties, what it is made of, where it is, and its looks."""
+    """An object to be made: its kind (`make`: node, set, scaled or text), properties, children, placement and looks."""
 
     label: str
     make: str
@@ -49,8 +51,8 @@ class Part:
 
 
 class Design:
-    """The parts of a fieldfab.OpenScadTree that was read from a file in `folder`: `root`, None where it draws nothing, and those that are only shown
-    (%). `branches`: how many were too large. Raises TooLarge."""
+    """The parts of a fieldfab.OpenScadTree that was read from a file in `folder`: `root`, None where the design draws
+    nothing, and those that are only shown (%). `branches`: how many branches were too large. Raises TooLarge."""
 
     def __init__(self, tree, folder):
         self.folder = folder
@@ -65,7 +67,8 @@ class Design:
         self.branches = self._prune(([self.root] if self.root else []) + self.shown)
 
     def _prune(self, tops):
-        """Leaves MOST_PARTS: the largest branches are divided first, and those that are left undivided become text. Returns how many those are."""
+        """Leaves MOST_PARTS parts: the largest branches are divided first, and branches that stay undivided become
+        text. Returns how many became text."""
         parts = [part for top in tops for part in top.walk()]
         sizes = {}
         for part in reversed(parts):
@@ -75,7 +78,8 @@ class Design:
         heapq.heapify(waiting)
         while waiting:
             _, _, part, depth = heapq.heappop(waiting)
-            if part.children and part.origin and (depth >= DEEPEST or (len(part.children) > 1 and kept + len(part.children) > MOST_PARTS)):
+            if (part.children and part.origin
+                    and (depth >= DEEPEST or (len(part.children) > 1 and kept + len(part.children) > MOST_PARTS))):
                 part.become_text(self.folder)
                 pruned += 1
             if depth > 2 * DEEPEST:
@@ -95,15 +99,19 @@ class Design:
             return None, shown
         try:
             if node.name not in SETS:
-                part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))}, children, origin=lambda: _alone(node))
+                part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))},
+                            children, origin=lambda: _alone(node))
             elif not children or (node.name == "difference" and counted[0] is None):
                 raise Unfit(node.name)  # nothing at all; others may mind that
             elif len(children) == 1:
                 part = children[0]
             else:
-                part = Part(node.name if node.name in ("difference", "intersection") else "union", "set", {"Operation": SETS[node.name]}, children,
-                            colour=_common([child.colour for child in (children[:1] if node.name == "difference" else children)]),
-                            origin=lambda: "".join(child.text() for child, _, _ in below) if SETS[node.name] == "Union" else _alone(node))
+                named = node.name if node.name in ("difference", "intersection") else "union"
+                coloured = children[:1] if node.name == "difference" else children
+                part = Part(named, "set", {"Operation": SETS[node.name]}, children,
+                            colour=_common([child.colour for child in coloured]),
+                            origin=lambda: ("".join(child.text() for child, _, _ in below)
+                                            if SETS[node.name] == "Union" else _alone(node)))
             if node.name == "multmatrix":
                 part, shown = self._moved(part, node), [self._moved(other, node) for other in shown]
             if node.name == "color":
@@ -126,13 +134,16 @@ class Design:
         matrix = properties_of(node)["Matrix"]
         columns = [FreeCAD.Vector(matrix.A[i], matrix.A[i + 4], matrix.A[i + 8]) for i in range(3)]
         lengths = [column.Length for column in columns]
-        square = all(abs(columns[i] * columns[k]) <= RIGID * lengths[i] * lengths[k] for i, k in ((0, 1), (0, 2), (1, 2)))
-        if matrix.A[12:] != (0, 0, 0, 1) or min(lengths) < 1e-9 or not square or (node.dimensions == 2 and not _in_plane(matrix)):
+        square = all(abs(columns[i] * columns[k]) <= RIGID * lengths[i] * lengths[k]
+                     for i, k in ((0, 1), (0, 2), (1, 2)))
+        if (matrix.A[12:] != (0, 0, 0, 1) or min(lengths) < 1e-9 or not square
+                or (node.dimensions == 2 and not _in_plane(matrix))):
             return Part("multmatrix", "node", {"Node": "multmatrix", "Matrix": matrix}, [part], colour=part.colour)
         mirrored = columns[0].cross(columns[1]) * columns[2] < 0
         factors = [1.0 if abs(length - 1) <= RIGID else length for length in lengths]
         if mirrored:
-            # Of the axes that could be turned over, the one that leaves the least to turn: mirror([1, 0, 0]) is -1, 1, 1 and no turn.
+            # Of the axes that could be mirrored, the one that leaves the least to turn: mirror([1, 0, 0]) is -1, 1, 1
+            # and no turn.
             turned = min(range(3), key=lambda i: columns[i][i] / lengths[i])
             factors[turned] = -factors[turned]
         placement = _placement(columns, factors, (matrix.A14, matrix.A24, 0 if node.dimensions == 2 else matrix.A34))
@@ -172,7 +183,8 @@ def _in_plane(matrix):
 
 
 def _placement(columns, factors, base):
-    """The turn and the move of a matrix whose columns, over their factors, are at right angles. Six digits are made exact."""
+    """Rotation and translation of a matrix whose columns, divided by their factors, are at right angles. Rounding to
+    six digits is corrected."""
     x = columns[0] / factors[0]
     x.normalize()
     y = columns[1] / factors[1]

@@ -1,4 +1,5 @@
-"""Models that come in: formulas and meshes. One of several parts is an object a part, with names and colours, in a group."""
+"""Import of models: formulas and meshes. A model of several parts becomes a group with an object for each part, with
+names and colours."""
 
 import os
 import pathlib

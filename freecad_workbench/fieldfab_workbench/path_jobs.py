@@ -10,7 +10,8 @@ from .objects import cam_setup, cam_tool, path_of_program
 from .objects.cam_job import toml_value
 from .words import tr
 
-SHAPE_FILES = {"flat": "endmill", "ball": "ballend", "bull": "bullnose", "v": "v-bit", "tapered": "ballend", "drill": "drill"}
+SHAPE_FILES = {"flat": "endmill", "ball": "ballend", "bull": "bullnose", "v": "v-bit", "tapered": "ballend",
+               "drill": "drill"}
 MACHINES = {"AC": "five_axis_ac", "BC": "five_axis_bc"}  # for programs that turn these axes
 
 NOT_THE_OPERATIONS = ("M6", "M06", "M3", "M03", "M4", "M04", "G43", "G54", "G55", "G56", "G57", "G58", "G59")
@@ -21,8 +22,8 @@ ARC_CENTRES = {"G17": "IJ", "G18": "IK", "G19": "JK"}
 
 
 def to_job(program, job=None):
-    """Puts the paths of a machine program into a Path job, with their tools: into a new one, whose stock is the set-up's, where none is given.
-    Returns (job, paths). Recompute then."""
+    """Puts the paths of a machine program with their tools into a Path job. Without a given job it makes a new one,
+    with the set-up's stock. Returns (job, paths); the caller recomputes."""
     paths = path_of_program.create_all(program)
     with path_shim.in_one_step():
         job = job or _new_job(program)
@@ -46,7 +47,8 @@ def _new_job(program):
     document, setup = program.Document, program.Setup
     lower, upper = cam_setup.stock_box(setup)
     model = setup.Part
-    if not getattr(getattr(model, "Shape", None), "Solids", None):  # a job's model must have a shape, and meshes have none
+    # A job's model must have a shape, and meshes have none.
+    if not getattr(getattr(model, "Shape", None), "Solids", None):
         model = document.addObject("Part::Box", "Block")
         model.Label = f"Block of {setup.Label}"
         model.Length, model.Width, model.Height = (max(size, 0.01) for size in upper - lower)
@@ -57,7 +59,8 @@ def _new_job(program):
     path_shim.show_job(job)
     if FreeCAD.GuiUp:
         model.ViewObject.Visibility = model == setup.Part
-    before, job.Stock = job.Stock, path_shim.stocks().CreateBox(job, upper - lower, FreeCAD.Placement(lower, FreeCAD.Rotation()))
+    before, job.Stock = (job.Stock,
+                         path_shim.stocks().CreateBox(job, upper - lower, FreeCAD.Placement(lower, FreeCAD.Rotation())))
     if before is not None:
         document.removeObject(before.Name)
     for controller in list(job.Tools.Group):  # FreeCAD's default tool
@@ -81,10 +84,12 @@ def _controller(job, tool, section):
     if "angle" in told:
         parameter["TipAngle" if tool.Shape == "drill" else "CuttingEdgeAngle"] = f"{told['angle']} deg"
     bit = path_shim.bits().Factory.CreateFromAttrs(
-        {"version": 2, "name": tool.Label, "shape": SHAPE_FILES[tool.Shape] + ".fcstd", "parameter": _known(parameter, tool.Shape), "attribute": {}}, "ToolBit")
+        {"version": 2, "name": tool.Label, "shape": SHAPE_FILES[tool.Shape] + ".fcstd",
+         "parameter": _known(parameter, tool.Shape), "attribute": {}}, "ToolBit")
     controller = path_shim.controllers().Create(f"TC: {tool.Label}", bit, tool.Number, False)
     controller.SpindleSpeed = section["spindle"]
-    controller.HorizFeed, controller.VertFeed = tool.Feed.Value or 10, tool.Plunge.Value or 3  # mm/s; the path has its own
+    # mm/s. The path has feeds of its own.
+    controller.HorizFeed, controller.VertFeed = tool.Feed.Value or 10, tool.Plunge.Value or 3
     if FreeCAD.GuiUp:
         controller.ViewObject.Proxy = bit.ViewObject.Proxy = 0
         bit.ViewObject.Visibility = False
@@ -131,12 +136,14 @@ class Setup:
 
 
 def program_of_job(job, machine=None):
-    """What a Path job does, as (G-code text, Setup): its active operations in order, each with its tool, in millimetres and mm/min, as the document
-    counts. `machine`: an id of ours for jobs that turn rotary axes; found by their letters where none is given. Raises ValueError."""
+    """Program of a Path job as (G-code text, Setup): its active operations in order, each with its tool, in millimetres
+    and mm/min, in the document's coordinates. `machine`: an id of ours for jobs that turn rotary axes; by default it is
+    found by the axes' letters. Raises ValueError."""
     utilities = path_shim.utilities()
     lines, tools, notes, current, letters = ["G21 G17 G90 G94 G40 G49 G80"], {}, [], None, set()
     for operation in job.Operations.Group:
-        if not utilities.opProperty(operation, "Active") or not getattr(operation, "Path", None) or not operation.Path.Size:
+        if (not utilities.opProperty(operation, "Active") or not getattr(operation, "Path", None)
+                or not operation.Path.Size):
             continue
         controller = utilities.toolControllerForOp(operation)
         if controller is None:
@@ -145,7 +152,8 @@ def program_of_job(job, machine=None):
         if number not in tools:
             tools[number] = {**tool_bits.of_object(controller.Tool), "number": number}
         if current != controller:
-            lines += [f"M6 T{number}", f"G43 H{number}", f"S{controller.SpindleSpeed or 1000:g} M{4 if controller.SpindleDir == 'Reverse' else 3}"]
+            lines += [f"M6 T{number}", f"G43 H{number}",
+                      f"S{controller.SpindleSpeed or 1000:g} M{4 if controller.SpindleDir == 'Reverse' else 3}"]
             if not controller.SpindleSpeed:
                 notes.append(f"{controller.Label}: it has no spindle speed; 1000 is taken")
             current = controller
@@ -165,7 +173,8 @@ def program_of_job(job, machine=None):
     if not tools:
         raise ValueError(tr("{label}: no active operation has a path").format(label=job.Label))
     if letters and machine is None:
-        machine = MACHINES.get("".join(sorted(letters)) if len(letters) > 1 else next((axes for axes in MACHINES if letters <= set(axes)), ""))
+        machine = MACHINES.get("".join(sorted(letters)) if len(letters) > 1
+                               else next((axes for axes in MACHINES if letters <= set(axes)), ""))
         if machine is None:
             words = tr("{label}: no known machine has the rotary axes {letters}: choose the machine")
             raise ValueError(words.format(label=job.Label, letters=f" {tr('and')} ".join(sorted(letters))))
@@ -181,7 +190,8 @@ def _placed(operation):
     if way.Rotation.Angle:
         raise ValueError(tr("{label}: its Placement turns the path, which a program cannot express").format(label=operation.Label))
     for command in operation.Path.Commands:
-        moved = {name: value + way.Base["XYZ".index(name)] if name in "XYZ" else value for name, value in command.Parameters.items()}
+        moved = {name: value + way.Base["XYZ".index(name)] if name in "XYZ" else value
+                 for name, value in command.Parameters.items()}
         path.addCommands(type(command)(command.Name, moved))
     return path
 

@@ -1,5 +1,5 @@
-"""FreeCAD's own milling workbench under one set of names: Path in 0.20 (PathScripts.*), CAM later (Path.Main.*, Path.Tool.*). Tried with
-0.20.2; the later names follow FreeCAD's sources."""
+"""FreeCAD's own milling workbench under one set of names: Path in 0.20 (PathScripts.*), CAM later (Path.Main.*,
+Path.Tool.*). Tried with 0.20.2; the later names follow FreeCAD's sources."""
 
 import contextlib
 import importlib

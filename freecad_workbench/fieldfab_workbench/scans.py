@@ -1,4 +1,4 @@
-"""CT volumes on disk: which file, how it is read, and what a solid at a threshold of it is. Nothing here looks at a document."""
+"""CT volumes on disk: the file, how it is read, and its solid at a threshold. Nothing here looks at a document."""
 
 import dataclasses
 import math
@@ -29,8 +29,8 @@ class ScanFile:
     series: str = ""
 
     def stamp(self):
-        """Size and time of last change, of a folder those of its files together: another stamp, another content. Raises ValueError where
-        there is no such file."""
+        """Stamp of a file: its size and time of last change; of a folder, those of all its files. Another content has
+        another stamp. Raises ValueError where there is no such file."""
         try:
             if os.path.isdir(self.path):
                 with os.scandir(self.path) as entries:
@@ -47,7 +47,8 @@ class ScanFile:
         with _lock:
             volume = _open.get(key)
         if volume is None:
-            volume = kernel.load().Volume.open(self.path, dims=self.dims, type=self.type, spacing=self.spacing, series=self.series, progress=progress)
+            volume = kernel.load().Volume.open(self.path, dims=self.dims, type=self.type, spacing=self.spacing,
+                                               series=self.series, progress=progress)
             with _lock:
                 _open[key] = volume
         return volume
@@ -55,8 +56,8 @@ class ScanFile:
 
 @dataclasses.dataclass(frozen=True)
 class Cut:
-    """What of a volume is solid. `threshold`: a density, None: halfway between the two commonest. `crop`: first sample along x, y, z, then
-    last, or None. Islands and holes in mm3: smaller ones go; 0 keeps all."""
+    """The part of a volume that is solid. `threshold`: a density; None: halfway between the two commonest. `crop`:
+    first sample along x, y, z, then last, or None. Islands and holes in mm3: smaller ones are removed; 0 keeps all."""
 
     threshold: float = None
     below: bool = False
@@ -75,8 +76,9 @@ class Cut:
 
     def solid(self, volume, progress=None):
         """The fieldfab.Field, where the volume's file places it. Raises fieldfab.Error."""
-        return self.cropped(volume).solid(self.threshold, below=self.below, denoise=self.denoise, keep_largest=self.keep_largest,
-                                          min_island=self.smallest_island or None, min_hole=self.smallest_hole or None, progress=progress)
+        return self.cropped(volume).solid(
+            self.threshold, below=self.below, denoise=self.denoise, keep_largest=self.keep_largest,
+            min_island=self.smallest_island or None, min_hole=self.smallest_hole or None, progress=progress)
 
 
 class ScanSource(Source):
@@ -112,8 +114,8 @@ class AsdfSource(ScanSource):
 
 
 class Overview:
-    """A volume in few enough samples to be shown while someone tries thresholds. `threshold` is the automatic one, of these samples;
-    surfaces are in lattice coordinates: mm from the first sample along the lattice's axes."""
+    """A volume with few enough samples to be shown while the user tries thresholds. `threshold`: the automatic one of
+    these samples. Surfaces are in lattice coordinates: mm from the first sample along the lattice's axes."""
 
     def __init__(self, file, progress=None):
         self.volume = file.open(progress)
@@ -123,7 +125,8 @@ class Overview:
         self._densities = _read(coarse, progress)
         plain = self._plain(self.volume.spacing)
         self.counts, self.edges = plain.histogram()
-        # The kernel takes a level set's own surface, which a plain array has lost: they alone have densities on either side of 0 in .vdb files.
+        # The kernel takes a level set's own surface, which a plain array has lost. Only level sets have densities on
+        # either side of 0 in .vdb files.
         level_set = file.path.lower().endswith(".vdb") and self.edges[0] < 0 < self.edges[-1]
         self.threshold = 0.0 if level_set else plain.threshold("halfway")
 
@@ -158,7 +161,8 @@ def _read(volume, progress):
 
 
 def estimate(samples, cleaned, triangles, finer):
-    """(bytes of memory, triangles) that a solid will roughly take, by the triangles of its overview, whose cells are `finer` times larger."""
+    """Estimates (bytes of memory, triangles) of a solid by the triangles of its overview, whose cells are `finer` times
+    larger."""
     triangles = round(triangles * finer**2)
     return samples * (14 if cleaned else 4) + triangles * BYTES_A_TRIANGLE, triangles
 

@@ -1,4 +1,5 @@
-"""The gallery's shapes: every function of the library that makes one, and the designs of examples/. Each says what text makes it. No window needed."""
+"""The gallery's shapes: every function of the library that makes one, and the designs of examples/, each with the text
+that makes it. Needs no window."""
 
 import os
 from dataclasses import dataclass, field
@@ -22,8 +23,9 @@ def found(*parts):
 
 @dataclass
 class Shape:
-    """`values`: {parameter: its text}; a plain number becomes a name of its own in the text of a new solid. `before` and `after`: what makes a
-    solid of the call, `extrude(` and `, 1)`."""
+    """A function of the library as a shape. `values`: {parameter: its text}; a plain number becomes a name of its own
+    in the text of a new solid. `before` and `after`: text that makes a solid of the call, such as `extrude(` and `,
+    1)`."""
 
     name: str
     group: str
@@ -44,7 +46,8 @@ class Shape:
         """A text of its own: its numbers as lines `name = number`, which become properties."""
         if self.text:
             return self.text
-        named = {name: self._variable(name) for name, value in values.items() if is_number(value) and name.isidentifier()}
+        named = {name: self._variable(name) for name, value in values.items()
+                 if is_number(value) and name.isidentifier()}
         lines = [f"{variable} = {values[name]}" for name, variable in named.items()]
         call = f"{self.name}({', '.join(self._argument(n, named.get(n, v)) for n, v in values.items())})"
         return "\n".join([*lines, self.before + call + self.after]) + "\n"
@@ -77,7 +80,8 @@ def designs():
                 text = opened.read()
             name = file[:-5]
             words = text.split("\n")[0].lstrip("# ") if text.startswith("#") else ""
-            made.append(Shape(name, DESIGNS, name.replace("_", " "), words, found("figures", "gallery", f"{name}.png"), text=text))
+            made.append(Shape(name, DESIGNS, name.replace("_", " "), words, found("figures", "gallery", f"{name}.png"),
+                              text=text))
     return made
 
 
@@ -90,7 +94,8 @@ def _of_function(function):
     given = {**defaults, **dict(zip(parameters, arguments))}
     # A list has no names, and all before it goes by its place.
     values = {"…": ", ".join(arguments)} if function["any_number"] else {p: given[p] for p in parameters}
-    return Shape(name, function["group"], function["signature"], language.meaning(function["help"]), found("figures", "shapes", f"{name}.png"),
+    return Shape(name, function["group"], function["signature"], language.meaning(function["help"]),
+                 found("figures", "shapes", f"{name}.png"),
                  values, defaults, example[:start], example[end:])
 
 

@@ -1,4 +1,5 @@
-"""What differs between FreeCAD 0.20 (PySide2, Path) and 1.x (PySide6, CAM), in one place. Tried with 0.20.2; the rest follows FreeCAD's sources."""
+"""Differences between FreeCAD 0.20 (PySide2, Path) and 1.x (PySide6, CAM), in one place. Tried with 0.20.2; the rest
+follows FreeCAD's sources."""
 
 try:
     from PySide2 import QtCore, QtGui, QtSvg, QtWidgets

@@ -1,4 +1,4 @@
-"""Where solids come from: a key that tells one from another, and how to make its Field. Fields and meshes that were made are kept for a
+"""Sources of solids: a key that tells one from another, and how to make its Field. Fields and meshes are kept for a
 while, so that a panel, a recompute and the solids built on this one share them."""
 
 import hashlib
@@ -14,7 +14,8 @@ DISTANCES_BYTES = 17_000_000  # of those on a lattice of 160 places a side
 
 
 class Source:
-    """`key`: plain values that say all that the Field depends on. `make(progress)`: makes it, on any thread; it must not look at the document."""
+    """Source of a solid. `key`: plain values that say all that the Field depends on. `make(progress)`: makes the Field,
+    on any thread; it must not look at the document."""
 
     def __init__(self, key, make):
         self.digest = hashlib.sha1(repr(key).encode()).hexdigest()
@@ -26,8 +27,9 @@ class Source:
         return kept(("field", self.digest), lambda: self._make(progress))
 
     def distances(self, reach, progress=None):
-        """The Field for offsets, shells, blends and morphs that look so many mm beyond the surface: of a scan, whose values are distances only
-        next to its surface, one with distances; else the Field itself. Raises fieldfab.Error."""
+        """The Field for offsets, shells, blends and morphs that look so many mm beyond the surface. The values of a
+        scan are distances only next to its surface: it gets a Field with distances. Others return the Field itself.
+        Raises fieldfab.Error."""
         field = self.field(progress)
         if not field.sampled:
             return field
@@ -35,7 +37,8 @@ class Source:
         return kept(("distances", self.digest, enough), lambda: field.distances(enough, progress=progress))
 
     def faces(self, progress=None):
-        """A mesh of the solid's own faces, where it is one of OpenSCAD's and they can be had; else None. Raises fieldfab.Error."""
+        """Mesh of the solid's own faces, if it is one of OpenSCAD's and its faces can be had; else None. Raises
+        fieldfab.Error."""
 
         def make():
             field, began = self.field(progress), time.monotonic()
@@ -46,8 +49,9 @@ class Source:
         return kept(("faces", self.digest), make)
 
     def mesh(self, progress=None, cells=None, **settings):
-        """Its faces; where there are none, or bounds are given, a contour with these settings of fieldfab.mesh(), or so many `cells` along the longest
-        side of its bounds where nothing tells their size."""
+        """Mesh of its faces. Without faces, or where bounds are given, a contour with these settings of
+        fieldfab.mesh(). Where no setting gives the size of cells there are `cells` of them along the longest side of
+        the bounds."""
         faces = None if "bounds" in settings else self.faces(progress)
         if faces is not None:
             return faces
@@ -63,7 +67,8 @@ class Source:
         if placement.isIdentity():
             return self
         axis, angle, base = tuple(placement.Rotation.Axis), placement.Rotation.Angle, tuple(placement.Base)
-        return Source(("moved", self.digest, axis, angle, base), lambda progress: self.field(progress).rotate(axis, angle).translate(*base))
+        return Source(("moved", self.digest, axis, angle, base),
+                      lambda progress: self.field(progress).rotate(axis, angle).translate(*base))
 
 
 def with_cell(field, cells=None, **settings):
@@ -92,4 +97,5 @@ def kept(key, make):
 
 def _size(key, made):
     """Bytes of a mesh or of distances; other Fields are taken for small."""
-    return made.vertices.nbytes + made.triangles.nbytes if hasattr(made, "triangles") else DISTANCES_BYTES if key[0] == "distances" else 0
+    return (made.vertices.nbytes + made.triangles.nbytes if hasattr(made, "triangles") else DISTANCES_BYTES
+            if key[0] == "distances" else 0)

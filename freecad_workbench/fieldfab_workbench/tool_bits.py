@@ -1,5 +1,5 @@
-"""FreeCAD's tool bits (.fctb), tool libraries (.fctl), and the tools of its Path jobs, as tools of ours: {name: value} as in job files
-(docs/cam.md)."""
+"""FreeCAD's tool bits (.fctb), tool libraries (.fctl), and the tools of its Path jobs, as tools of ours: {name: value}
+as in job files (docs/cam.md)."""
 
 import json
 import os
@@ -9,7 +9,8 @@ import FreeCAD
 from .words import tr
 
 SHAPES = {
-    "endmill": "flat", "ballend": "ball", "bullnose": "bull", "v-bit": "v", "vbit": "v", "chamfer": "v", "drill": "drill",
+    "endmill": "flat", "ballend": "ball", "bullnose": "bull", "v-bit": "v", "vbit": "v", "chamfer": "v",
+    "drill": "drill",
     "taperedballnose": "tapered", "slittingsaw": "flat",
 }
 
@@ -22,8 +23,8 @@ def _number(value):
 
 
 def tool_from(name, shape, parameter):
-    """A tool from a tool bit's name, the stem of its shape's file, and `parameter(name)`: a value or None. Raises ValueError for what is no
-    cutter that we know."""
+    """Makes a tool of a tool bit's name, the stem of its shape's file, and `parameter(name)`, which gives a value or
+    None. Raises ValueError for shapes that are no known cutter."""
     known = SHAPES.get(shape.lower().replace(" ", ""))
     if known is None:
         raise ValueError(tr("{name}: Fieldfab does not know the tool shape {shape}").format(name=name, shape=shape))
@@ -32,7 +33,8 @@ def tool_from(name, shape, parameter):
         values = [parameter(n) for n in names]
         return next((_number(v) for v in values if v is not None), 0.0)
 
-    tool = {"name": name, "shape": known, "diameter": get("Diameter"), "length": get("Length"), "shank": get("ShankDiameter"),
+    tool = {"name": name, "shape": known, "diameter": get("Diameter"), "length": get("Length"),
+            "shank": get("ShankDiameter"),
             "flute": get("CuttingEdgeHeight"), "flutes": int(get("Flutes") or 2)}
     if known == "bull":
         tool["corner_radius"] = get("CornerRadius") or tool["diameter"] / 2 - get("FlatRadius")
@@ -91,6 +93,7 @@ def of_object(bit):
     """The tool of a tool bit in a document, as a Path job's tool controller has it; also of FreeCAD's older tools."""
     shape = getattr(bit, "ShapeName", "") or os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
     if not shape:
-        shape = {"EndMill": "endmill", "BallEndMill": "ballend", "Drill": "drill", "Engraver": "v-bit", "ChamferMill": "chamfer"}.get(
-            getattr(bit, "ToolType", ""), str(getattr(bit, "ToolType", "") or "tool"))
+        shape = {"EndMill": "endmill", "BallEndMill": "ballend", "Drill": "drill", "Engraver": "v-bit",
+                 "ChamferMill": "chamfer"}.get(
+                     getattr(bit, "ToolType", ""), str(getattr(bit, "ToolType", "") or "tool"))
     return tool_from(getattr(bit, "Label", "") or bit.Name, shape, lambda name: getattr(bit, name, None))

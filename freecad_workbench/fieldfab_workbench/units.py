@@ -1,5 +1,6 @@
-"""Lengths, speeds, areas and volumes as FreeCAD's unit scheme shows them: in mm or in inches. What is stored, and what functions here take and return, is
-in mm, mm/min, mm² and mm³: these names are the `unit` below. Other units are the same in every scheme."""
+"""Lengths, speeds, areas and volumes as FreeCAD's unit scheme shows them: in mm or in inches. Stored values, arguments
+and results of functions are in mm, mm/min, mm² and mm³: these names are the `unit` below. Other units are the same in
+every scheme."""
 
 import re
 
@@ -9,12 +10,14 @@ from .words import tr
 
 INCH = 25.4  # mm
 SCHEMES_IN_INCHES = (2, 3, 5, 7)  # FreeCAD's numbers: US customary, its decimal form, building and civil engineering
-IN_INCHES = {"mm": ("in", INCH), "mm/min": ("in/min", INCH), "mm²": ("in²", INCH**2), "mm³": ("in³", INCH**3), "m": ("in", INCH / 1000)}
+IN_INCHES = {"mm": ("in", INCH), "mm/min": ("in/min", INCH), "mm²": ("in²", INCH**2), "mm³": ("in³", INCH**3),
+             "m": ("in", INCH / 1000)}
 QUANTITIES = {"mm": "mm", "mm/min": "mm/min", "mm²": "mm^2", "mm³": "mm^3", "degrees": "deg"}  # as FreeCAD reads them
 KERNELS = {"mm2": "mm²", "mm3": "mm³"}  # units as the kernel spells them
 # In the kernel's texts: numbers with a unit behind the last, and places without one.
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
-LENGTHS = re.compile(rf"({NUMBER}(?: (?:x|×) {NUMBER})*) (mm/min|mm[23²³]?|m)(?!\w)|\({NUMBER}, {NUMBER}, {NUMBER}\)|\b[xyz] {NUMBER}")
+LENGTHS = re.compile(
+    rf"({NUMBER}(?: (?:x|×) {NUMBER})*) (mm/min|mm[23²³]?|m)(?!\w)|\({NUMBER}, {NUMBER}, {NUMBER}\)|\b[xyz] {NUMBER}")
 
 
 def in_inches():
@@ -58,8 +61,8 @@ def _digits(number, digits):
 
 
 def read(text, unit="mm"):
-    """What somebody typed, as a number of ours: without a unit it is in the one that users see ("0.2", "1/4"), another may be named ("5 mm", "2 cm/s").
-    Raises ValueError with a line for the user."""
+    """Reads what a user typed, as a number in `unit`. Without a unit it counts in the one that users see ("0.2",
+    "1/4"); another may be named ("5 mm", "2 cm/s"). Raises ValueError with a line for the user."""
     name, text = shown_unit(unit), text.strip().replace(",", ".")
     if name and text.endswith(name):
         text = text[: -len(name)].strip()
@@ -75,7 +78,8 @@ def read(text, unit="mm"):
         if value.Unit != one.Unit:
             raise ValueError
     except Exception:  # FreeCAD raises several
-        raise ValueError(tr("must be a number in {unit}").format(unit=name) if name else tr("must be a number")) from None
+        raise ValueError(tr("must be a number in {unit}").format(unit=name) if name
+                         else tr("must be a number")) from None
     return round(value.Value / one.Value, 9)
 
 

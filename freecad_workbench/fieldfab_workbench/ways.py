@@ -6,8 +6,8 @@ CHORD = 0.15  # radians that one chord of an arc turns through
 
 
 def points_of(moves, start=None):
-    """Points of a polyline along (n, 8) moves, arcs as chords, and for each point whether a rapid leads to it: (m, 3) and (m,) arrays. The first
-    point is `start`, or where the first move ends."""
+    """Points of a polyline along (n, 8) moves, with arcs as chords, and for each point whether a rapid leads to it: (m,
+    3) and (m,) arrays. The first point is `start`, or the end of the first move."""
     if not len(moves):
         return np.zeros((0, 3)), np.zeros(0, bool)
     to, bulge, rapid = moves[:, :3], moves[:, 4], moves[:, 3] == 0
@@ -29,7 +29,8 @@ def points_of(moves, start=None):
 
 
 def runs(points, rapid, wanted):
-    """The polylines among the points whose steps are rapids (wanted True) or cuts: their points one after the other, and how many each has."""
+    """Polylines among the points whose steps are rapids (`wanted` True) or cuts: their points one after the other, and
+    the number of points of each."""
     steps = rapid[1:] == wanted
     if not steps.any():
         return np.zeros((0, 3), "f4"), np.zeros(0, "i4")

@@ -1,5 +1,6 @@
-"""What users read, in their language: every such text goes through `tr`. FreeCAD has the translations (resources/translations, made by its update.py);
-without them texts are English. What is compared or stored is never translated."""
+"""Texts for users, in their language: every such text goes through `tr`. FreeCAD has the translations
+(resources/translations, made by its update.py); without them texts are English. Texts that are compared or stored are
+never translated."""
 
 import FreeCAD
 
@@ -13,7 +14,8 @@ def tr(text, context=CONTEXT):
 
 
 def marked(texts):
-    """The texts (one, a tuple, or the keys of a dictionary) as they are: update.py collects them, and they go through tr() where they are shown."""
+    """Returns the texts (one, a tuple, or the keys of a dictionary) unchanged. update.py collects them; tr() translates
+    them where they are shown."""
     return texts
 
 

@@ -17,7 +17,8 @@ class Cancelled(Exception):
 
 
 class Task(threading.Thread):
-    """`function(progress)` on a thread of its own; `progress(fraction, message)` returns False once the work should stop."""
+    """Runs `function(progress)` on a thread of its own. `progress(fraction, message)` returns False once the work
+    should stop."""
 
     def __init__(self, function):
         super().__init__(daemon=True)
@@ -47,7 +48,8 @@ class Task(threading.Thread):
 
 
 class Gauge:
-    """Shows the progress of work on a QProgressBar or QProgressDialog. While the fraction stands the bar runs to and fro: the work goes on."""
+    """Shows the progress of work on a QProgressBar or QProgressDialog. While the fraction stays the same the bar runs
+    to and fro, since the work goes on."""
 
     def __init__(self, bar):
         self._bar, self._last, self._since = bar, None, 0.0
@@ -70,8 +72,9 @@ class Gauge:
 
 
 def run(function, title):
-    """Returns `function(progress)`. With a window, the window goes on being drawn; after a moment a dialog shows progress and offers to
-    cancel (Cancelled is raised then). The calling thread waits either way: nothing else can change the document meanwhile."""
+    """Returns `function(progress)`. With a window, the window is drawn meanwhile; after a moment a dialog shows
+    progress and offers to cancel (then Cancelled is raised). The calling thread waits either way: nothing else can
+    change the document meanwhile."""
     if not FreeCAD.GuiUp or threading.current_thread() is not threading.main_thread():
         return function(lambda fraction, message: True)
     from .shim import QtCore, QtWidgets  # without a window there need be no Qt
@@ -98,7 +101,8 @@ def run(function, title):
         elif dialog is not None:
             gauge.show(task.fraction)
             dialog.setLabelText(f"{title}: {task.message}" if task.message else title)
-        # Until the dialog holds it back, input waits: a click must not change the document in the middle of its recompute.
+        # Input waits until the dialog holds it back: a click must not change the document in the middle of its
+        # recompute.
         QtWidgets.QApplication.processEvents(loop.AllEvents if dialog else loop.ExcludeUserInputEvents, 20)
     if dialog is not None:
         dialog.close()

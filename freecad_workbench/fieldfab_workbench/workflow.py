@@ -1,4 +1,5 @@
-"""What the kernel's workflow and machines can be told (Keeter 6.1), as properties of document objects: no form is written by hand."""
+"""Settings of the kernel's workflow and machines (Keeter 6.1) as properties of document objects: no form is written by
+hand."""
 
 import functools
 import math
@@ -11,14 +12,15 @@ FOLLOWS = marked("automatic")  # what stands where a default follows from other 
 
 
 class Setting:
-    """One setting as the kernel declares it: name, help, unit, kind (flag, number, text), default (None: it follows from other things), lower,
-    upper, lower_open, whole, choices, needs, needs_values."""
+    """One setting as the kernel declares it: name, help, unit, kind (flag, number, text), default (None: it follows
+    from other values), lower, upper, lower_open, whole, choices, needs, needs_values."""
 
     def __init__(self, declared):
         self.__dict__.update(declared)
         self.property = _words_joined(self.name)
         self.unit = {"1/min": "rpm"}.get(self.unit, self.unit)  # as it is shown; numbers are the same
-        self.words = f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")  # the property's documentation
+        # The property's documentation.
+        self.words = f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")
 
     @property
     def property_type(self):
@@ -61,7 +63,8 @@ class Setting:
             if self.whole and value != round(value):
                 return tr("must be a whole number")
             if self.lower is not None and (value < self.lower or (self.lower_open and value == self.lower)):
-                return (tr("must be above {limit}") if self.lower_open else tr("must be at least {limit}")).format(limit=units.told(self.lower, unit, 6))
+                return (tr("must be above {limit}") if self.lower_open else tr("must be at least {limit}")).format(
+                    limit=units.told(self.lower, unit, 6))
             if self.upper is not None and value > self.upper:
                 return tr("must be at most {limit}").format(limit=units.told(self.upper, unit, 6))
         elif self.choices and value not in self.choices:
@@ -106,15 +109,17 @@ def _operations():
     cam = kernel.load().cam
     by_name, found = {s["name"]: s for s in cam.stages()}, {}
     for operation in operation_names():
-        stages = [Stage(name, by_name[name]["help"], by_name[name]["settings"]) for name in cam.chain("solid", operation)]
+        stages = [Stage(name, by_name[name]["help"], by_name[name]["settings"])
+                  for name in cam.chain("solid", operation)]
         found[operation] = (*stages, Stage(JOINING, "how the paths are joined to moves", cam.joining_settings()))
-    _share_properties({operation: [s for stage in stages for s in stage.settings] for operation, stages in found.items()})
+    _share_properties({operation: [s for stage in stages for s in stage.settings]
+                       for operation, stages in found.items()})
     return found
 
 
 def _share_properties(groups):
-    """Settings of one name share a property, whose documentation then tells what it is for each; but those of another type get one of their own,
-    named after their group. `groups`: {name: [Setting]}."""
+    """Settings of one name share a property, whose documentation then says what it is for each. Settings of another
+    type get a property of their own, named after their group. `groups`: {name: [Setting]}."""
     types, shared = {}, {}
     for name, settings in groups.items():
         for setting in settings:

@@ -1,4 +1,5 @@
-"""Run by FreeCAD, with a window or without: makes a solid of the installed workbench; SHOT names a picture of the window."""
+"""Run by FreeCAD, with a window or without: makes a solid of the installed workbench. SHOT names a picture of the
+window."""
 
 import os
 

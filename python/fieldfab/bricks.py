@@ -35,7 +35,8 @@ def build(volume, output, threshold=None, workers=2, parts=None, scheduler=None,
     import fieldfab as ff
     from dask.distributed import Client, LocalCluster
 
-    task = {"volume": os.path.abspath(volume), "file": file or {}, "threads": 0 if scheduler else max(1, os.cpu_count() // workers)}
+    task = {"volume": os.path.abspath(volume), "file": file or {},
+            "threads": 0 if scheduler else max(1, os.cpu_count() // workers)}
     whole = open_volume(task)
     # Found once: a share such as 90% needs all of the samples.
     task["surface"] = {"threshold": whole.threshold(threshold), **surface}
@@ -88,7 +89,8 @@ def main(arguments=None):
         print(f"fieldfab.bricks: {error}", file=sys.stderr)
         return 2
     size = os.path.getsize(given.output)
-    print(f"{given.output}: {made['cells']} cells ({made['leafs']} leafs) in {made['blocks']} blocks, {size / 1e6:.2f} MB")
+    print(f"{given.output}: {made['cells']} cells ({made['leafs']} leafs) in {made['blocks']} blocks, "
+          f"{size / 1e6:.2f} MB")
     return 0
 
 

@@ -254,7 +254,8 @@ class View(QtWidgets.QWidget):
         picture, fine, self.seconds = result
         kind = QtGui.QImage.Format_Grayscale8 if picture.channels == 1 else QtGui.QImage.Format_RGB888
         pixels = picture.pixels
-        self.image = QtGui.QImage(pixels.tobytes(), picture.width, picture.height, picture.width * picture.channels, kind).copy()
+        self.image = QtGui.QImage(pixels.tobytes(), picture.width, picture.height, picture.width * picture.channels,
+                                  kind).copy()
         self.update()
         self.shown.emit(fine)
 
@@ -388,7 +389,8 @@ class Window(QtWidgets.QMainWindow):
 
     def _tell(self, fine):
         mm = self.view.scale or 0
-        self.statusBar().showMessage(f"{1000 * self.view.seconds:.0f} ms, {mm:.3g} mm a pixel" + ("" if fine else " (coarse)"))
+        self.statusBar().showMessage(f"{1000 * self.view.seconds:.0f} ms, {mm:.3g} mm a pixel"
+                                     + ("" if fine else " (coarse)"))
 
 
 def main(arguments=None):

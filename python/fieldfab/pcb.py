@@ -53,7 +53,8 @@ def header(name="header", columns=2, rows=3, pitch=2.54, pad=1.7, hole=1.0):
     """A pin header; pins are numbered row by row from the upper left."""
     left, top = -pitch * (columns - 1) / 2, pitch * (rows - 1) / 2
     pads = {str(r * columns + c + 1): (left + c * pitch, top - r * pitch) for r in range(rows) for c in range(columns)}
-    return Part(name, s.footprint_header(columns, rows, pitch, pad), pads, s.footprint_header(columns, rows, pitch, hole))
+    return Part(name, s.footprint_header(columns, rows, pitch, pad), pads,
+                s.footprint_header(columns, rows, pitch, hole))
 
 
 def placed_point(point, x, y, angle):

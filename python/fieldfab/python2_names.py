@@ -164,7 +164,8 @@ ATTRIBUTES = {"next"}.union(DICTIONARY, LIST, TEXT, ERROR_OBJECT, FUNCTION, *MOD
 
 def attribute(value, name):
     """Returns an attribute under its Python 2 name."""
-    for kind, known in ((collections.abc.Mapping, DICTIONARY), (list, LIST), (str, TEXT), (BaseException, ERROR_OBJECT)):
+    for kind, known in ((collections.abc.Mapping, DICTIONARY), (list, LIST), (str, TEXT),
+                        (BaseException, ERROR_OBJECT)):
         if isinstance(value, kind) and name in known and not (kind is BaseException and hasattr(value, name)):
             return known[name](value)
     if name == "next" and not hasattr(value, "next") and hasattr(value, "__next__"):

@@ -1,4 +1,5 @@
-"""Constant-engagement clearing against FreeCAD's Adaptive2d: time, length and engagement on a pocket of 100 x 80 mm with three islands.
+"""Constant-engagement clearing against FreeCAD's Adaptive2d: time, length and engagement on a pocket of 100 x 80 mm
+with three islands.
 
     /usr/bin/python3 tests/bench/adaptive_figures.py        (PYTHONPATH=build/release/python)
 """
@@ -97,7 +98,8 @@ def freecad():
         return [list(p) for p in points] + [list(points[0])]
 
     x0, x1, y0, y1 = SQUARE
-    circle = [(CIRCLE[0] + CIRCLE[2] * math.cos(t), CIRCLE[1] + CIRCLE[2] * math.sin(t)) for t in np.linspace(0, 2 * math.pi, 128)[:-1]]
+    circle = [(CIRCLE[0] + CIRCLE[2] * math.cos(t), CIRCLE[1] + CIRCLE[2] * math.sin(t))
+              for t in np.linspace(0, 2 * math.pi, 128)[:-1]]
     outer = closed([(0, 0), (100, 0), (100, 80), (0, 80)])
     islands = [closed(circle), closed([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]), closed(TRIANGLE)]
     tool = area.Adaptive2d()
@@ -167,7 +169,8 @@ def main():
             f"{name:9} {seconds:6.2f} s {length:7.0f} mm cut; engaged mm: mean {widths.mean():.2f}, "
             f"99 % {np.quantile(widths, 0.99):.2f}, most {widths.max():.2f}; left {left:.1f} mm^2"
         )
-    print(f"ratio     {figures['FreeCAD'][0] / figures['Fieldfab'][0]:6.1f} times as fast, {figures['Fieldfab'][1] / figures['FreeCAD'][1]:.3f} of the length")
+    print(f"ratio     {figures['FreeCAD'][0] / figures['Fieldfab'][0]:6.1f} times as fast, "
+          f"{figures['Fieldfab'][1] / figures['FreeCAD'][1]:.3f} of the length")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""How many models have certain meshes, and what looking for that costs: the processor time of mesh() against mesh(depth = 0), and triangles.
+"""How many models have certain meshes, and what looking for that costs: the processor time of mesh() against mesh(depth
+= 0), and triangles.
 
     PYTHONPATH=build/release/python /usr/bin/python3 tests/bench/certainty_figures.py examples/*.frep
 """
@@ -25,7 +26,8 @@ def main(paths):
         looked, after = timed(solid, 6)
         certain += after.certainty.certain
         print(
-            f"{pathlib.Path(path).stem:<24} {plain:8.2f} {looked:8.2f} {looked / plain:6.2f} {len(before.triangles):10} {len(after.triangles):10}  "
+            f"{pathlib.Path(path).stem:<24} {plain:8.2f} {looked:8.2f} {looked / plain:6.2f} "
+            f"{len(before.triangles):10} {len(after.triangles):10}  "
             f"{'yes' if after.certainty.certain else after.certainty}",
             flush=True,
         )

@@ -1,9 +1,9 @@
 """FreeCAD's simulator (PathSimulator, a height field) and ours, on the same jobs, one after the other in one process.
 
-Level and waves: 10,100 moves of 1 mm of a 6 mm cutter over a block of 100 x 100 mm at 0.1 mm, each row at one height, or up and down:
-seconds to cut, and to make the mesh. (Theirs joins what lies level into one triangle.)
-Groove: a 6 mm ball goes along a sloping line and back, 101 times in 100 moves each, at 0.1 mm: moves a second; and how far the middles of
-the groove's triangles are from the true groove, mm.
+Level and waves: 10,100 moves of 1 mm of a 6 mm cutter over a block of 100 x 100 mm at 0.1 mm, each row at one height,
+or up and down: seconds to cut, and to make the mesh. (Theirs joins level triangles into one.)
+Groove: a 6 mm ball goes along a sloping line and back, 101 times in 100 moves each, at 0.1 mm: moves a second, and the
+distance of the middles of the groove's triangles from the true groove, mm.
 
 Figures of one thread: `taskset -c 0 /usr/bin/python3 tests/bench/freecad_simulator.py`."""
 
@@ -35,7 +35,8 @@ def freecad(box, ball, way):
     # Its half section, turned about the axis.
     v = FreeCAD.Vector
     if ball:
-        lower = Part.Arc(v(0, 0, 0), v(RADIUS * np.sqrt(0.5), 0, RADIUS * (1 - np.sqrt(0.5))), v(RADIUS, 0, RADIUS)).toShape()
+        lower = Part.Arc(v(0, 0, 0), v(RADIUS * np.sqrt(0.5), 0, RADIUS * (1 - np.sqrt(0.5))),
+                         v(RADIUS, 0, RADIUS)).toShape()
         rest = Part.makePolygon([v(RADIUS, 0, RADIUS), v(RADIUS, 0, 30), v(0, 0, 30), v(0, 0, 0)])
         outline = Part.Wire([lower, *rest.Edges])
         tool = Part.Face(outline).revolve(v(0, 0, 0), v(0, 0, 1), 360)
@@ -53,13 +54,15 @@ def freecad(box, ball, way):
 
     cutting, _ = timed(cut)
     meshing, meshes = timed(simulator.GetResultMesh)
-    corners = np.concatenate([np.array([f.Points for f in mesh.Facets]).reshape(-1, 3, 3) for mesh in meshes if mesh.CountFacets])
+    corners = np.concatenate([np.array([f.Points for f in mesh.Facets]).reshape(-1, 3, 3)
+                              for mesh in meshes if mesh.CountFacets])
     return cutting, meshing, corners
 
 
 def ours(box, ball, way):
     stock = ff.stock.Stock(box, cell=CELL)
-    cutting, _ = timed(lambda: stock.cut({"shape": "ball" if ball else "flat", "diameter": 2 * RADIUS, "flute": 30}, way))
+    cutting, _ = timed(lambda: stock.cut({"shape": "ball" if ball else "flat", "diameter": 2 * RADIUS, "flute": 30},
+                                         way))
     meshing, mesh = timed(stock.mesh)
     return cutting, meshing, np.asarray(mesh.vertices)[np.asarray(mesh.triangles)]
 
@@ -79,7 +82,8 @@ def raster(name, height):
     print(f"{name}, {len(way) - 1} moves (of which 100 go from row to row): cut s, mesh s, sum s")
     for who, (cutting, meshing, corners) in (("FreeCAD", theirs), ("ours", mine)):
         print(f"  {who:8}{cutting:8.3f}{meshing:8.3f}{cutting + meshing:8.3f}   {len(corners)} triangles")
-    print(f"  FreeCAD / ours: cut {theirs[0] / mine[0]:.2f}, mesh {theirs[1] / mine[1]:.2f}, sum {(theirs[0] + theirs[1]) / (mine[0] + mine[1]):.2f}")
+    print(f"  FreeCAD / ours: cut {theirs[0] / mine[0]:.2f}, mesh {theirs[1] / mine[1]:.2f}, "
+          f"sum {(theirs[0] + theirs[1]) / (mine[0] + mine[1]):.2f}")
 
 
 def groove():
@@ -97,7 +101,8 @@ def groove():
         apart = np.linalg.norm(middles - centre - t[:, None] * along, axis=1)
         chosen = inside & (t >= 0) & (t <= 1) & (apart < RADIUS + 5 * CELL)
         error = np.abs(apart[chosen] - RADIUS)
-        print(f"  {name:8}{(len(way) - 1) / cutting:10.0f}{error.mean():9.4f}{error.max():9.4f}   of {chosen.sum()} triangles")
+        print(f"  {name:8}{(len(way) - 1) / cutting:10.0f}{error.mean():9.4f}{error.max():9.4f}   of "
+              f"{chosen.sum()} triangles")
 
 
 raster("level", lambda x, row: np.full(101, -2 + np.sin(row / 7)))

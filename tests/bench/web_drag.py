@@ -1,5 +1,5 @@
-"""How long a drag waits for its picture: from a request with a new text, 800 x 600 pixels, to the coarse and to the fine picture, through
-`fieldfab serve` and its WebSocket on this machine. Then 50 clients at once. Prints percentiles.
+"""How long a drag waits for its picture: from a request with a new text, 800 x 600 pixels, to the coarse and to the
+fine picture, through `fieldfab serve` and its WebSocket on this machine. Then 50 clients at once. Prints percentiles.
 
     PYTHONPATH=build/release/python python3 tests/bench/web_drag.py [SECONDS]
 """
@@ -21,10 +21,12 @@ BETWEEN = 0.3  # seconds of rest after a fine picture
 
 
 def models():
-    parts = [(ff.parse_math(path.read_text()), f"part {i}", None) for i, path in enumerate(sorted((DATA / "mtm_az").glob("*.math")))]
+    parts = [(ff.parse_math(path.read_text()), f"part {i}", None)
+             for i, path in enumerate(sorted((DATA / "mtm_az").glob("*.math")))]
     mtm_az = ff.frep_text(parts)
     return {
-        "prospero, 2D": ({"text": (DATA / "prospero.vm").read_text(), "language": "vm", "mode": "bitmap", "bounds": [-1, -1, 0, 1, 1, 0]}, [-1, -0.75, 1, 0.75], "# {}\n"),
+        "prospero, 2D": ({"text": (DATA / "prospero.vm").read_text(), "language": "vm", "mode": "bitmap",
+                          "bounds": [-1, -1, 0, 1, 1, 0]}, [-1, -0.75, 1, 0.75], "# {}\n"),
         "mtm_az, 3D": ({"text": mtm_az, "mode": "shaded"}, None, "# {}\n"),
         "bracket, 3D": ({"text": (ROOT / "examples" / "bracket.frep").read_text()}, None, "# {}\n"),
     }
@@ -35,11 +37,13 @@ def told(name, seconds):
         return print(f"{name:<44} none within the time")
     seconds = sorted(seconds)
     at = {share: 1000 * seconds[min(len(seconds) - 1, int(share * len(seconds)))] for share in (0.5, 0.9, 0.99)}
-    print(f"{name:<44} n {len(seconds):5d}   median {at[0.5]:6.0f} ms   90 % {at[0.9]:6.0f} ms   99 % {at[0.99]:6.0f} ms", flush=True)
+    print(f"{name:<44} n {len(seconds):5d}   median {at[0.5]:6.0f} ms   90 % {at[0.9]:6.0f} ms   99 % "
+          f"{at[0.99]:6.0f} ms", flush=True)
 
 
 async def drag(server, name, model, window, comment, seconds):
-    """One picture after the other as the page asks: the next when the coarse one is there; now and then a rest, until the fine one is."""
+    """Asks for one picture after the other, as the page does: the next when the coarse one is there, and now and then a
+    rest until the fine one is."""
     coarse, fine, number, near = [], [], 0, None
     async with Socket(server) as socket:
         end = time.monotonic() + seconds
@@ -47,7 +51,8 @@ async def drag(server, name, model, window, comment, seconds):
             number += 1
             rests = number % 10 == 0
             started = time.monotonic()
-            await socket.send({"number": number, "width": 800, "height": 600, "coarse": True, "window": window, "near": near, **model, "text": model["text"] + comment.format(number)})
+            await socket.send({"number": number, "width": 800, "height": 600, "coarse": True, "window": window,
+                               "near": near, **model, "text": model["text"] + comment.format(number)})
             while True:
                 head, _ = await socket.receive()
                 if head["type"] == "error":
@@ -72,7 +77,8 @@ async def client(server, seconds, number, waits):
         while time.monotonic() < end:
             count += 1
             started = time.monotonic()
-            await socket.send({"number": count, "width": 400, "height": 300, "coarse": True, "text": f"circle(5) - move(circle(2), {number}, {count % 40} / 20)"})
+            await socket.send({"number": count, "width": 400, "height": 300, "coarse": True,
+                               "text": f"circle(5) - move(circle(2), {number}, {count % 40} / 20)"})
             answers = await socket.until(lambda head: head["type"] != "parameters" and head["number"] == count)
             if answers[-1][0]["type"] == "error":
                 raise SystemExit(answers[-1][0]["message"])
@@ -82,14 +88,16 @@ async def client(server, seconds, number, waits):
 
 def memory(server):
     """kB of the server and its workers."""
-    return sum(int(line.split()[1]) for process in (server.process.pid, *server.workers()) for line in open(f"/proc/{process}/status") if line.startswith("VmRSS"))
+    return sum(int(line.split()[1]) for process in (server.process.pid, *server.workers())
+               for line in open(f"/proc/{process}/status") if line.startswith("VmRSS"))
 
 
 async def crowd(server, seconds):
     waits, before = [[] for _ in range(50)], memory(server)
     await asyncio.gather(*(client(server, seconds, i, each) for i, each in enumerate(waits)))
     told("50 clients, 5 changes a second each: coarse", [wait for each in waits for wait in each])
-    print(f"   fewest pictures of a client {min(map(len, waits))}, most {max(map(len, waits))}; memory {before // 1024} MB before, {memory(server) // 1024} MB after")
+    print(f"   fewest pictures of a client {min(map(len, waits))}, most {max(map(len, waits))}; "
+          f"memory {before // 1024} MB before, {memory(server) // 1024} MB after")
 
 
 def main():

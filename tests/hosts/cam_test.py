@@ -131,9 +131,11 @@ def test_solid_programs_are_what_linuxcnc_reads(tmp_path, operation):
         (FLAT + '[[operation]]\ntype = "pocket"\ntool = 7', 11, "no [[tool]] with number 7"),
         (FLAT + '[[operation]]\ntype = "pocket"\nstepover = "wide"', 11, "must be a number"),
         (FLAT.replace("diameter = 3", "diameter = 60") + '[[operation]]\ntype = "pocket"', 10, "fits into no pocket"),
-        (FLAT.replace("diameter = 3", "diameter = 3\nlength = 2") + '[[operation]]\ntype = "profile"', 11, "the holder of tool 1 meets material"),
+        (FLAT.replace("diameter = 3", "diameter = 3\nlength = 2") + '[[operation]]\ntype = "profile"', 11,
+         "the holder of tool 1 meets material"),
         (FLAT.replace("linuxcnc", "modela") + '[[operation]]\ntype = "profile"', 2, "knows no places below 0"),
-        (FLAT.replace("linuxcnc", "othermill").replace('"part.frep"', '"part.frep"\nscale = 4') + '[[operation]]\ntype = "profile"', 2, "can move 140 mm along x"),
+        (FLAT.replace("linuxcnc", "othermill").replace('"part.frep"', '"part.frep"\nscale = 4')
+         + '[[operation]]\ntype = "profile"', 2, "can move 140 mm along x"),
         (FLAT.replace("diameter = 3", "diameter = -3") + '[[operation]]\ntype = "profile"', 8, "diameter"),
         (FLAT + '[[operation]]\ntype = "finish"', 10, "flat"),
         (FLAT + '[[operation]]\ntype = "v_carve"', 10, "shape v"),
@@ -177,9 +179,11 @@ LASERS = {"epilog", "universal", "trotec", "gcc_laser", "oxford", "roland_vinyl"
 
 
 def test_all_machines_of_kokopelli_and_the_fab_modules_are_there():
-    for name in ["epilog", "universal", "gcc_laser", "trotec", "modela", "imodela", "mdx40", "roland_vinyl", "gcc_vinyl", "oxford", "othermill"]:
+    for name in ["epilog", "universal", "gcc_laser", "trotec", "modela", "imodela", "mdx40", "roland_vinyl",
+                 "gcc_vinyl", "oxford", "othermill"]:
         assert name in MACHINES
-    for name in ["shopbot", "shopbot_mm", "shopbot5", "linuxcnc", "grbl", "mach3", "marlin", "hpgl", "dxf", "svg", "png", "stl", "srm20"]:
+    for name in ["shopbot", "shopbot_mm", "shopbot5", "linuxcnc", "grbl", "mach3", "marlin", "hpgl", "dxf", "svg",
+                 "png", "stl", "srm20"]:
         assert name in MACHINES
     for name in ["five_axis_ac", "five_axis_bc", "five_axis_tcp", "five_axis_head", "five_axis_mixed"]:
         assert name in MACHINES
@@ -197,13 +201,16 @@ def test_every_machine_writes_the_same_part(tmp_path, machine):
     path = job(tmp_path, text + '[[operation]]\ntype = "profile"\nside = "on"\n', part_frep=PART)
     run("cam", path, "-o", tmp_path / "out")
     data = (tmp_path / "out").read_bytes().decode("latin-1")
-    unit = {"epilog": 25.4 / 600, "universal": 0.0254, "trotec": 0.005, "gcc_laser": 0.1, "shopbot": 25.4, "shopbot5": 25.4, "gcode_inch": 25.4,
-            "modela": 0.025, "imodela": 0.01, "mdx40": 0.01, "srm20": 0.01, "roland_vinyl": 0.025, "gcc_vinyl": 0.025, "hpgl": 0.025}.get(machine, 1)
+    unit = {"epilog": 25.4 / 600, "universal": 0.0254, "trotec": 0.005, "gcc_laser": 0.1, "shopbot": 25.4,
+            "shopbot5": 25.4, "gcode_inch": 25.4,
+            "modela": 0.025, "imodela": 0.01, "mdx40": 0.01, "srm20": 0.01, "roland_vinyl": 0.025, "gcc_vinyl": 0.025,
+            "hpgl": 0.025}.get(machine, 1)
     if machine == "dxf":
         points = re.findall(r"VERTEX\n8\n0\n10\n(\S+)\n20\n(\S+)", data)
     elif machine == "svg":
         points = re.findall(r"[ML](\S+?) (\S+?)(?=[MLAZ\"])", data)
-    elif ".ngc" in machine or "X" in data and machine in ("linuxcnc", "grbl", "mach3", "marlin", "gcode_inch", "othermill", "oxford") or machine.startswith("five"):
+    elif (".ngc" in machine or machine.startswith("five")
+          or "X" in data and machine in ("linuxcnc", "grbl", "mach3", "marlin", "gcode_inch", "othermill", "oxford")):
         xs, ys = re.findall(r"X(-?[\d.]+)", data), re.findall(r"Y(-?[\d.]+)", data)
         points = [(x, ys[0]) for x in xs] + [(xs[0], y) for y in ys if machine != "oxford" or y != "0"]
     else:
@@ -216,14 +223,18 @@ def test_every_machine_writes_the_same_part(tmp_path, machine):
 
 
 def test_a_machine_is_one_file(tmp_path):
-    """docs/machines.md promises a machine in ten minutes: this is all of one, with a unit, a template of its own, and a material."""
+    """docs/machines.md promises a machine in ten minutes. This is all of one, with a unit, a template of its own, and a
+    material."""
     (tmp_path / "mine.toml").write_text(
-        'name = "My foam cutter"\nextension = ".foam"\ntick = 0.1\ntakes = "flat paths"\ndefault_operation = "profile"\nnegative = false\n'
-        '[setting]\nheat = { default = 10, min = 0, max = 20, unit = "W", help = "of the wire" }\nkerf = { default = 1, min = 0, unit = "mm" }\n'
+        'name = "My foam cutter"\nextension = ".foam"\ntick = 0.1\ntakes = "flat paths"\n'
+        'default_operation = "profile"\nnegative = false\n'
+        '[setting]\nheat = { default = 10, min = 0, max = 20, unit = "W", help = "of the wire" }\n'
+        'kerf = { default = 1, min = 0, unit = "mm" }\n'
         "[material.foam]\nheat = 12\n"
         '[text]\nheader = "HEAT {heat}\\n"\nrapid = "GO {x} {y}\\n"\nline = "CUT {x} {y}\\n"\nfooter = "OFF\\n"\n'
     )
-    path = job(tmp_path, 'machine = "mine.toml"\nmaterial = "foam"\n[input]\nmodel = "part.frep"\nmove = [25, 20, 0]\n[stock]\nthickness = 9\n', part_frep=PART)
+    path = job(tmp_path, 'machine = "mine.toml"\nmaterial = "foam"\n[input]\nmodel = "part.frep"\nmove = [25, 20, 0]\n'
+               '[stock]\nthickness = 9\n', part_frep=PART)
     run("cam", path, "-o", tmp_path / "out.foam")
     lines = (tmp_path / "out.foam").read_text().splitlines()
     assert lines[0] == "HEAT 12" and lines[-1] == "OFF"
@@ -241,12 +252,14 @@ def test_height_maps_and_meshes_are_machines_too(tmp_path):
         out = tmp_path / ("out." + machine)
         run("cam", path, "-o", out)
         assert out.read_bytes().startswith(start) and out.stat().st_size > 1000
-    assert ff.Mesh.load(tmp_path / "out.stl").volume == pytest.approx(ff.mesh(ff.parse(DOME), voxel=0.1).volume, rel=0.01)
+    assert ff.Mesh.load(tmp_path / "out.stl").volume == pytest.approx(
+        ff.mesh(ff.parse(DOME), voxel=0.1).volume, rel=0.01)
 
 
 def test_pictures_and_set_up_sheets(tmp_path):
     path = job(tmp_path, FLAT + '[[operation]]\ntype = "pocket"\nname = "clear <all>"\n', part_frep=PART)
-    run("cam", path, "-o", tmp_path / "o.ngc", "--picture", tmp_path / "a.png", "--picture", tmp_path / "a.svg", "--sheet", tmp_path / "s.html")
+    run("cam", path, "-o", tmp_path / "o.ngc", "--picture", tmp_path / "a.png", "--picture", tmp_path / "a.svg",
+        "--sheet", tmp_path / "s.html")
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
     svg = (tmp_path / "a.svg").read_text()
     assert svg.count("#e12828") >= 1 and svg.count("<path") > 10
@@ -267,11 +280,13 @@ def test_images_are_machined(tmp_path):
 
     raw = b"".join(b"\0" + row.tobytes() for row in pixels)
     (tmp_path / "board.png").write_bytes(
-        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 250, 150, 8, 0, 0, 0, 0)) + chunk(b"pHYs", struct.pack(">IIB", 10000, 10000, 1))
+        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 250, 150, 8, 0, 0, 0, 0))
+        + chunk(b"pHYs", struct.pack(">IIB", 10000, 10000, 1))
         + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b"")
     )
     path = tmp_path / "job.toml"
-    path.write_text('machine = "linuxcnc"\n[input]\nimage = "board.png"\n[[tool]]\ndiameter = 0.4\n[[operation]]\ntype = "isolate"\noffsets = 1\ndepth = 0.1\n')
+    path.write_text('machine = "linuxcnc"\n[input]\nimage = "board.png"\n[[tool]]\ndiameter = 0.4\n[[operation]]\n'
+                    'type = "isolate"\noffsets = 1\ndepth = 0.1\n')
     run("cam", path, "-o", tmp_path / "o.ngc")
     at, kinds, _ = rs274.moves(tmp_path / "o.ngc", tools=((1, 0, 0.4),))
     cut = at[at[:, 2] < 0]
@@ -299,11 +314,13 @@ stepover = 0.5
 
 def turn(axis, degrees):
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
-    return {"x": np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), "y": np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]), "z": np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])}[axis]
+    return {"x": np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), "y": np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]),
+            "z": np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])}[axis]
 
 
 def tip_and_axis(machine, x, y, z, a, b, c, length):
-    """Where the tip is in the work and where the tool points, from axis values: written from what the axes do, apart from the library."""
+    """Returns where the tip is in the work and where the tool points, from axis values. Written from what the axes do,
+    apart from the library."""
     p, up = np.array([x, y, z]), np.array([0.0, 0, 1])
     if machine == "five_axis_ac":  # A tilts the trunnion about x; C turns the plate on it
         work = turn("x", a) @ turn("z", c)
@@ -324,7 +341,8 @@ def tip_and_axis(machine, x, y, z, a, b, c, length):
 
 
 @pytest.mark.parametrize("plane", ["five", "stepped"])
-@pytest.mark.parametrize("machine", ["five_axis_ac", "five_axis_bc", "five_axis_tcp", "five_axis_head", "five_axis_mixed"])
+@pytest.mark.parametrize("machine",
+                         ["five_axis_ac", "five_axis_bc", "five_axis_tcp", "five_axis_head", "five_axis_mixed"])
 def test_five_axis_programs_put_the_tip_where_it_was_planned(tmp_path, machine, plane):
     path = job(tmp_path, FIVE.replace("MACHINE", machine).replace("PLANE", plane), part_frep=BLOCK)
     run("cam", path, "-o", tmp_path / "out.ngc")
@@ -344,11 +362,13 @@ def test_five_axis_programs_put_the_tip_where_it_was_planned(tmp_path, machine, 
         tip, axis = tip_and_axis(machine, *row, length=40)
         assert np.abs(axis - planned_row[5:8]).max() < 2e-5
         # four decimals of a degree, seen from the pivot
-        assert np.abs(tip - planned_row[:3]).max() < (6e-4 if machine in ("five_axis_head", "five_axis_mixed") else 3e-4)
+        bound = 6e-4 if machine in ("five_axis_head", "five_axis_mixed") else 3e-4
+        assert np.abs(tip - planned_row[:3]).max() < bound
     assert len({tuple(np.round(a, 3)) for a in ours[:, 5:8]}) >= 5
 
 
-@pytest.mark.parametrize("machine", ["five_axis_ac", "five_axis_bc", "five_axis_tcp", "five_axis_head", "five_axis_mixed"])
+@pytest.mark.parametrize("machine",
+                         ["five_axis_ac", "five_axis_bc", "five_axis_tcp", "five_axis_head", "five_axis_mixed"])
 def test_a_leaning_tool_stays_on_its_way_between_poses(tmp_path, machine):
     """All axes go evenly from line to line: the tip that follows from that is on the planned way."""
     text = FIVE.replace("MACHINE", machine).replace('plane = "PLANE"', "lean = true\nfeed = 500")
@@ -385,7 +405,8 @@ def test_a_leaning_tool_stays_on_its_way_between_poses(tmp_path, machine):
 
 
 def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
-    """Algorithm 6.1 and the pivot of 6.9: tip = pivot - (gauge + bit) * axis, B tilts, A turns by the smaller of two angles."""
+    """Algorithm 6.1 and the pivot of 6.9: tip = pivot - (gauge + bit) * axis. B tilts, A turns by the smaller of two
+    angles."""
     path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "five"), part_frep=BLOCK)
     run("cam", path, "-o", tmp_path / "out.sbp")
     lines = [line.strip().split(",") for line in open(tmp_path / "out.sbp") if line.startswith("M5")]
@@ -413,10 +434,12 @@ def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
 
 
 def test_a_smaller_tool_finishes_the_rest(tmp_path):
-    """Round the foot of the dome, where the larger ball does not get; and rest needs something that it is the rest of."""
+    """Rest machining goes round the foot of the dome, where the larger ball does not reach. It needs an operation whose
+    rest it is."""
     dome = "min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-15, max(abs(y)-12, abs(z+1)-1)))"
     rest = '[[operation]]\ntype = "finish"\ntool = 2\nrest = true\n'
-    text = SOLID.replace("diameter = 4", "diameter = 6").replace("number = 2\ndiameter = 6", 'number = 2\nshape = "ball"\ndiameter = 2')
+    text = SOLID.replace("diameter = 4", "diameter = 6").replace(
+        "number = 2\ndiameter = 6", 'number = 2\nshape = "ball"\ndiameter = 2')
     path = job(tmp_path, text + '[[operation]]\ntype = "finish"\ntool = 1\n' + rest, part_frep=dome)
     planned = ff.cam.Job(path)
     planned.run()
@@ -465,9 +488,11 @@ def test_planes_are_refused_where_a_machine_cannot(tmp_path):
     assert "cannot tilt" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
     path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace('"PLANE"', '"view"\nbeta = 120'), part_frep=BLOCK)
     assert "overhangs" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
-    path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "front").replace("length = 40", ""), part_frep=BLOCK)
+    path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "front").replace("length = 40", ""),
+               part_frep=BLOCK)
     assert "needs a length" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
-    path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "front").replace("length = 40", "length = 3"), part_frep=BLOCK)
+    path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "front").replace(
+        "length = 40", "length = 3"), part_frep=BLOCK)
     done = run("cam", path, "-o", tmp_path / "o", check=False)
     assert done.returncode == 2 and "reaches 3 mm" in done.stderr
 
@@ -494,7 +519,8 @@ def test_a_three_axis_machine_stops_for_turning_the_part(tmp_path):
 
 
 def test_the_examples_run(tmp_path):
-    """All jobs of examples/cam but the head (two minutes of CT): each one command. Programs for LinuxCNC are read by it."""
+    """Runs all jobs of examples/cam except the head (two minutes of CT), each by one command. rs274 reads the programs
+    for LinuxCNC."""
     from conftest import ROOT
 
     jobs = sorted((ROOT / "examples" / "cam").glob("*.toml"))
@@ -513,7 +539,8 @@ def test_the_examples_run(tmp_path):
 
 
 def test_a_part_must_lie_in_its_stock(tmp_path):
-    path = job(tmp_path, SOLID.replace("margin = 2", "upper = [12, 10, 3]") + '[[operation]]\ntype = "finish"\ntool = 1', part_frep=DOME)
+    path = job(tmp_path, SOLID.replace("margin = 2", "upper = [12, 10, 3]")
+               + '[[operation]]\ntype = "finish"\ntool = 1', part_frep=DOME)
     done = run("cam", path, "-o", tmp_path / "o", check=False)
     assert done.returncode == 2 and "sticks out of the stock" in done.stderr and "job.toml:5" in done.stderr
 
@@ -552,22 +579,26 @@ def test_what_panels_are_made_from():
 
 
 def test_a_job_of_a_part_that_is_given(tmp_path):
-    text = 'machine = "linuxcnc"\n[input]\n{model}zero = "corner"\n[stock]\n{stock}\n[[tool]]\ndiameter = 3\n[[operation]]\ntype = "rough"\ncell = 0.4\n'
+    text = ('machine = "linuxcnc"\n[input]\n{model}zero = "corner"\n[stock]\n{stock}\n[[tool]]\ndiameter = 3\n'
+            '[[operation]]\ntype = "rough"\ncell = 0.4\n')
     by_file = ff.cam.Job(job(tmp_path, text.format(model='model = "part.frep"\n', stock="margin = 2"), part_frep=DOME))
     given = ff.cam.Job.parse(text.format(model="", stock="margin = 2"), ff.parse(DOME))
     # The same stock, as the model counts.
     lower, upper = (np.reshape(by_file.stock, (2, 3)) + by_file.zero).tolist()
-    placed = ff.cam.Job.parse(text.format(model="", stock=f'coordinates = "model"\nlower = {lower}\nupper = {upper}'), ff.parse(DOME))
+    placed = ff.cam.Job.parse(text.format(model="", stock=f'coordinates = "model"\nlower = {lower}\nupper = {upper}'),
+                              ff.parse(DOME))
     for each in (by_file, given, placed):
         each.run()
-    assert given.zero == by_file.zero and (given.moves[0] == by_file.moves[0]).all() and np.allclose(placed.stock, by_file.stock)
+    assert (given.zero == by_file.zero and (given.moves[0] == by_file.moves[0]).all()
+            and np.allclose(placed.stock, by_file.stock))
     assert len(placed.moves[0]) == len(by_file.moves[0]) and np.abs(placed.moves[0] - by_file.moves[0]).max() < 1e-6
     assert given.sections[0]["tool"] == 1 and not given.sections[0]["tilted"]
     with pytest.raises(ff.Error, match="the part is given") as raised:
         ff.cam.Job.parse(text.format(model='model = "part.frep"\n', stock="margin = 2"), ff.parse(DOME), "mine")
     assert raised.value.place.startswith("mine:3")
     with pytest.raises(ff.Error, match="whole number"):
-        ff.cam.Job.parse(text.format(model="", stock="margin = 2").replace('"rough"', '"profile"\ntabs = 1.5'), ff.parse(DOME))
+        ff.cam.Job.parse(text.format(model="", stock="margin = 2").replace('"rough"', '"profile"\ntabs = 1.5'),
+                         ff.parse(DOME))
 
 
 RIB = "move(box(40, 30, 4), dz = -2) | move(box(0.0004, 20, 5), dx = 3.1234, dz = 2.5)"
@@ -593,6 +624,7 @@ def test_an_outline_tells_of_walls_thinner_than_its_cells(tmp_path):
     """Cells are halved until a wall shows; one that is thinner still is named."""
     slot = '[[operation]]\ntype = "profile"\ncell = 0.2'
     for width, told in ((0.03, False), (0.0001, True)):
-        path = job(tmp_path, FLAT + slot, part_frep=f"rotate_z(max(abs(x) - 15, abs(y - 2) - {width / 2}) | max(abs(x + 10) - 5, abs(y + 5) - 5), 20)")
+        path = job(tmp_path, FLAT + slot, part_frep="rotate_z(max(abs(x) - 15, "
+                   f"abs(y - 2) - {width / 2}) | max(abs(x + 10) - 5, abs(y + 5) - 5), 20)")
         done = run("cam", path, "-o", tmp_path / "out.ngc")
         assert ("narrower than" in done.stderr) == told, done.stderr

@@ -52,7 +52,8 @@ def test_build_mesh_of_asdf_and_convert(ball, tmp_path):
     built = summary("build", ball, "-o", tmp_path / "ball.asdf", "--resolution", 5)
     assert built["bytes"] <= 24 * built["cells"]
     assert summary("info", tmp_path / "ball.asdf")["cells"] == built["cells"]
-    assert summary("mesh", tmp_path / "ball.asdf", "-o", tmp_path / "a.stl")["volume"] == pytest.approx(4 / 3 * math.pi * 125, rel=0.01)
+    assert summary("mesh", tmp_path / "ball.asdf", "-o", tmp_path / "a.stl")["volume"] == pytest.approx(
+        4 / 3 * math.pi * 125, rel=0.01)
     for extension in ("math", "vm", "frep"):
         summary("convert", ball, "-o", tmp_path / f"again.{extension}")
         assert summary("info", tmp_path / f"again.{extension}")["nodes"] == summary("info", ball)["nodes"]
@@ -116,7 +117,8 @@ def test_check_passes_and_reports(ball):
 def test_two_dimensional_models(tmp_path):
     quarter = DATA / "frep" / "quarter.vm"
     assert "unbounded along z" in refused("mesh", quarter, "-o", tmp_path / "q.stl")
-    assert summary("mesh", quarter, "-o", tmp_path / "q.stl", "--thickness", 0.2)["volume"] == pytest.approx(math.pi / 4 * 0.5 * 0.2, rel=0.01)
+    assert summary("mesh", quarter, "-o", tmp_path / "q.stl", "--thickness", 0.2)["volume"] == pytest.approx(
+        math.pi / 4 * 0.5 * 0.2, rel=0.01)
     summary("render", quarter, "-o", tmp_path / "q.png", "--mode", "bitmap")
 
 
@@ -158,7 +160,8 @@ def test_bad_input_leaves_files_alone(ball, tmp_path):
     ):
         refused(*arguments)
     assert kept.read_text() == "mine"
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["ball.frep", "broken.frep", "garbage.vm", "kept.stl"], "nothing half made is left"
+    assert sorted(p.name for p in tmp_path.iterdir()) == [
+        "ball.frep", "broken.frep", "garbage.vm", "kept.stl"], "nothing half made is left"
 
 
 def test_full_disk(ball):
@@ -192,7 +195,8 @@ def test_deep_expression(tmp_path):
 def test_interrupt_leaves_nothing_behind(tmp_path):
     model = tmp_path / "g.frep"
     model.write_text("shell(gyroid(period = 1), 0.1) & sphere(r = 6)")
-    process = subprocess.Popen([COMMAND, "mesh", model, "-o", tmp_path / "g.stl", "--voxel", "0.015"], stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen([COMMAND, "mesh", model, "-o", tmp_path / "g.stl", "--voxel", "0.015"],
+                               stderr=subprocess.PIPE, text=True)
     time.sleep(1.5)
     process.send_signal(signal.SIGINT)
     started = time.monotonic()
@@ -223,12 +227,15 @@ def test_meshes_are_models(tmp_path):
 
     whole = write("whole.off", sides)
     made = summary("mesh", whole, "-o", tmp_path / "a.stl", "--voxel", 0.5)
-    assert made["volume"] == pytest.approx(1000, rel=1e-6) and made["triangles"] < 100  # its edges are sharp, its sides flat
-    assert summary("mesh", write("turned.off", sides, True), "-o", tmp_path / "a.stl", "--voxel", 0.5)["volume"] == pytest.approx(1000, rel=1e-3)
+    # Its edges are sharp, its sides flat.
+    assert made["volume"] == pytest.approx(1000, rel=1e-6) and made["triangles"] < 100
+    turned = summary("mesh", write("turned.off", sides, True), "-o", tmp_path / "a.stl", "--voxel", 0.5)
+    assert turned["volume"] == pytest.approx(1000, rel=1e-3)
     holed = write("holed.off", sides[1:])
     closed = summary("mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5)
     assert closed["volume"] == pytest.approx(1000, rel=1e-6) and closed["triangles"] < 100
-    assert "holed.off is open: 1 rim is closed by lids of 100 mm2" in run("mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5).stderr
+    assert "holed.off is open: 1 rim is closed by lids of 100 mm2" in run(
+        "mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5).stderr
     assert summary("check", holed, "--voxel", 0.5)["passed"]
     built = summary("build", whole, "-o", tmp_path / "c.asdf", "--voxel", 0.5)
     assert built["leafs"] > 0

@@ -14,7 +14,8 @@ sys.path.insert(0, str(BUILD / "python"))
 
 
 def pytest_collection_modifyitems(items):
-    """With several workers a file stays with one of them (its fixtures are dear), but for the tests in FreeCAD, each of which starts its own."""
+    """With several workers the tests of a file stay with one of them, since its fixtures take long. Tests in FreeCAD
+    are distributed one by one, since each starts its own."""
     for item in items:
         if item.path.name != "freecad_inside_test.py":
             item.add_marker(pytest.mark.xdist_group(item.path.stem))

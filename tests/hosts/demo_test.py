@@ -1,4 +1,5 @@
-"""The demo's page of static files, from a disk: models in colours that are turned by mouse and keys, a film, the table of checks."""
+"""The demo's page of static files, opened from a disk: coloured models that mouse and keys turn, a film, the table of
+checks."""
 
 import sys
 import time
@@ -18,7 +19,8 @@ import demo  # noqa: E402: it lies there
 def folder(tmp_path_factory):
     out = tmp_path_factory.mktemp("demo") / "out"
     assert demo.BUILD == BUILD
-    assert demo.main(out, parts=2, cells=32, with_prospero=False, voxel=2, head_voxel=8, job=ROOT / "examples" / "cam" / "text_vcarve.toml", frames=4, cell=0.5) == 0
+    assert demo.main(out, parts=2, cells=32, with_prospero=False, voxel=2, head_voxel=8,
+                     job=ROOT / "examples" / "cam" / "text_vcarve.toml", frames=4, cell=0.5) == 0
     return out
 
 
@@ -31,7 +33,8 @@ def page(folder):
 
 # What a canvas shows, as text to compare, and how many of its pixels have a colour.
 PIXELS = """
-    const canvas = arguments[0].querySelector("canvas"), copy = new OffscreenCanvas(canvas.width, canvas.height), context = copy.getContext("2d");
+    const canvas = arguments[0].querySelector("canvas"), copy = new OffscreenCanvas(canvas.width, canvas.height);
+    const context = copy.getContext("2d");
     context.drawImage(canvas, 0, 0);
     const data = context.getImageData(0, 0, copy.width, copy.height).data;
     let seen = 0, coloured = 0, sum = 0;
@@ -71,16 +74,19 @@ def test_the_film_plays(page):
     image = film.find_element(By.TAG_NAME, "img")
     assert image.get_attribute("src").endswith("frame_0004.png")
     film.find_element(By.TAG_NAME, "button").click()
-    wait_until(lambda: image.get_attribute("src").endswith("frame_0001.png") or image.get_attribute("src").endswith("frame_0002.png"), "the film's beginning")
+    wait_until(lambda: image.get_attribute("src").endswith("frame_0001.png")
+               or image.get_attribute("src").endswith("frame_0002.png"), "the film's beginning")
     wait_until(lambda: image.get_attribute("src").endswith("frame_0004.png"), "the film's end")
     assert page.execute_script("return arguments[0].naturalWidth", image) > 400
 
 
 def test_the_page_is_whole(page, folder):
     """Every file that it names is there, nothing comes from elsewhere, and the checks are told."""
-    named = page.execute_script("return [...document.querySelectorAll('[src], [href]')].map((each) => each.src || each.href)")
+    named = page.execute_script(
+        "return [...document.querySelectorAll('[src], [href]')].map((each) => each.src || each.href)")
     assert len(named) > 10 and all(each.startswith(f"file://{folder}/") for each in named)
     assert all((folder / each.removeprefix(f"file://{folder}/")).is_file() for each in named)
-    assert [row.text.split()[1] for row in page.find_elements(By.CSS_SELECTOR, "#checks ~ table tr")[1:]] == ["00", "01"]
+    assert [row.text.split()[1]
+            for row in page.find_elements(By.CSS_SELECTOR, "#checks ~ table tr")[1:]] == ["00", "01"]
     assert len(page.find_elements(By.CSS_SELECTOR, "#checks ~ table .pass")) == 2
     assert [each["message"] for each in page.get_log("browser") if each["level"] == "SEVERE"] == []

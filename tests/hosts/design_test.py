@@ -49,32 +49,41 @@ SAME = {
     "scale_xyz": (lambda: k.scale_xyz(lump(), 1, 0, 0, 2), lambda: at(lump(), 1 + (X - 1) / 2, Y / 2, Z / 2)),
     "taper_x_y": (lambda: k.taper_x_y(lump(), 0, -5, 5, 1, 2), lambda: at(lump(), X / (1.5 + Y / 10), Y, Z)),
     "taper_x_z": (lambda: k.taper_x_z(lump(), 0, -5, 5, 1, 2), lambda: at(lump(), X / (1.5 + Z / 10), Y, Z)),
-    "taper_xy_z": (lambda: k.taper_xy_z(lump(), 0, 0, -5, 5, 1, 2), lambda: at(lump(), X / (1.5 + Z / 10), Y / (1.5 + Z / 10), Z)),
+    "taper_xy_z": (lambda: k.taper_xy_z(lump(), 0, 0, -5, 5, 1, 2),
+                   lambda: at(lump(), X / (1.5 + Z / 10), Y / (1.5 + Z / 10), Z)),
     "shear_x_y": (lambda: k.shear_x_y(lump(), 0, 4, 0, 2), lambda: at(lump(), X - Y / 2, Y, Z)),
     "shear_x_z": (lambda: k.shear_x_z(lump(), 0, 4, 0, 2), lambda: at(lump(), X - Z / 2, Y, Z)),
-    "coscale_x_y": (lambda: k.coscale_x_y(lump(), 0, 0, 2, 0, 180, 0.2, 1), lambda: at(lump(), X / (1 + 0.2 * np.cos(math.pi / 2 * Y)), Y, Z)),
-    "coscale_x_z": (lambda: k.coscale_x_z(lump(), 0, 0, 2, 0, 180, 0.2, 1), lambda: at(lump(), X / (1 + 0.2 * np.cos(math.pi / 2 * Z)), Y, Z)),
+    "coscale_x_y": (lambda: k.coscale_x_y(lump(), 0, 0, 2, 0, 180, 0.2, 1),
+                    lambda: at(lump(), X / (1 + 0.2 * np.cos(math.pi / 2 * Y)), Y, Z)),
+    "coscale_x_z": (lambda: k.coscale_x_z(lump(), 0, 0, 2, 0, 180, 0.2, 1),
+                    lambda: at(lump(), X / (1 + 0.2 * np.cos(math.pi / 2 * Z)), Y, Z)),
     "coscale_xy_z": (lambda: k.coscale_xy_z(lump(), 0, 0, 0, 2, 0, 180, 0.2, 1), lambda: at(
         lump(), X / (1 + 0.2 * np.cos(math.pi / 2 * Z)), Y / (1 + 0.2 * np.cos(math.pi / 2 * Z)), Z)),
     "twist_xy_z": (lambda: k.twist_xy_z(lump(), 0, 0, 0, 4, 0, 90), lambda: s.twist(lump(), math.pi / 8)(X, Y, Z)),
-    "extrusion": (lambda: k.extrusion(k.circle(0, 0, 1), -1, 2), lambda: np.maximum(np.hypot(X, Y) - 1, np.maximum(-1 - Z, Z - 2))),
+    "extrusion": (lambda: k.extrusion(k.circle(0, 0, 1), -1, 2),
+                  lambda: np.maximum(np.hypot(X, Y) - 1, np.maximum(-1 - Z, Z - 2))),
     "cylinder": (lambda: k.cylinder(0, 0, -1, 2, 1), lambda: np.maximum(np.hypot(X, Y) - 1, np.maximum(-1 - Z, Z - 2))),
-    "cube": (lambda: k.cube(-1, 1, 0, 2, 0, 3), lambda: np.maximum(np.maximum(abs(X) - 1, abs(Y - 1) - 1), abs(Z - 1.5) - 1.5)),
+    "cube": (lambda: k.cube(-1, 1, 0, 2, 0, 3),
+             lambda: np.maximum(np.maximum(abs(X) - 1, abs(Y - 1) - 1), abs(Z - 1.5) - 1.5)),
     "torus": (lambda: k.torus(0, 0, 1, 3, 1), lambda: np.hypot(np.hypot(X, Y) - 3, Z - 1) - 1),
     "revolve_y": (lambda: k.revolve_y(k.circle(2, 0, 1)), lambda: np.hypot(np.hypot(X, Z) - 2, Y) - 1),
     "revolve_x": (lambda: k.revolve_x(k.circle(0, 2, 1)), lambda: np.hypot(np.hypot(Y, Z) - 2, X) - 1),
     "offset": (lambda: k.offset(k.circle(0, 0, 1), 0.5), lambda: np.hypot(X, Y) - 1.5),
     "shell": (lambda: k.shell(k.circle(0, 0, 1), 0.5), lambda: np.abs(np.hypot(X, Y) - 1) - 0.25),
-    "clearance": (lambda: k.clearance(lump(), k.circle(0, 0, 1), 0.5), lambda: np.maximum(lump()(X, Y, Z), 1.5 - np.hypot(X, Y))),
-    "morph": (lambda: k.morph(lump(), k.circle(0, 0, 1), 0.5), lambda: 0.5 * lump()(X, Y, Z) + 0.5 * (np.hypot(X, Y) - 1)),
+    "clearance": (lambda: k.clearance(lump(), k.circle(0, 0, 1), 0.5),
+                  lambda: np.maximum(lump()(X, Y, Z), 1.5 - np.hypot(X, Y))),
+    "morph": (lambda: k.morph(lump(), k.circle(0, 0, 1), 0.5),
+              lambda: 0.5 * lump()(X, Y, Z) + 0.5 * (np.hypot(X, Y) - 1)),
     "blend": (lambda: k.blend(lump(), k.circle(0, 0, 1), 0.5), lambda: s.blend(lump(), s.circle(1), 0.5)(X, Y, Z)),
     "attract": (lambda: k.attract(lump(), 1, 2, 3, 2), lambda: s.attract(lump(), 1, 2, 3, 2)(X, Y, Z)),
     "repel": (lambda: k.repel(lump(), 1, 2, 3, 2), lambda: s.repel(lump(), 1, 2, 3, 2)(X, Y, Z)),
     "bend_x": (lambda: k.bend_x(lump(), 9), lambda: s.bend(lump(), 9)(X, Y, Z)),
-    "iterate2d": (lambda: k.iterate2d(k.circle(0, 0, 1), 2, 2, 3, 1), lambda: s.array_xy(s.circle(1), 2, 2, 3, 1)(X, Y, Z)),
+    "iterate2d": (lambda: k.iterate2d(k.circle(0, 0, 1), 2, 2, 3, 1),
+                  lambda: s.array_xy(s.circle(1), 2, 2, 3, 1)(X, Y, Z)),
     "array": (lambda: k.array(k.circle(0, 0, 1), 3, 2), lambda: s.array_x(s.circle(1), 3, 2)(X, Y, Z)),
     "iterate_polar": (lambda: k.iterate_polar(k.circle(3, 0, 1), 1, 0, 4), lambda: np.minimum(
-        np.minimum(np.hypot(X - 3, Y) - 1, np.hypot(X + 1, Y) - 1), np.minimum(np.hypot(X - 1, Y - 2) - 1, np.hypot(X - 1, Y + 2) - 1))),
+        np.minimum(np.hypot(X - 3, Y) - 1, np.hypot(X + 1, Y) - 1),
+        np.minimum(np.hypot(X - 1, Y - 2) - 1, np.hypot(X - 1, Y + 2) - 1))),
 }
 
 
@@ -121,7 +130,8 @@ def test_boards():
     led = board.add(pcb.chip_1206("LED"), 22, 10, angle=90)
     plug = board.add(pcb.header(rows=2), 4, 4)
     board.connect(chip["5"], (15, 8), led["2"], width=0.6)
-    assert led["2"] == pytest.approx((22, 11.7)) and chip["1"] == pytest.approx((5.3, 10 + 1.905)) and chip["8"][1] == chip["1"][1]
+    assert (led["2"] == pytest.approx((22, 11.7)) and chip["1"] == pytest.approx((5.3, 10 + 1.905))
+            and chip["8"][1] == chip["1"][1])
     for pad in (chip["3"], led["1"], (15, 8)):
         assert board.copper(*pad, 0) < 0
     assert board.copper(*plug["1"], 0) > 0 and board.holes(*plug["1"], 0) < 0 and board.outline(0.1, 0.1, 0) > 0

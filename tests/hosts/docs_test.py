@@ -1,7 +1,9 @@
-"""README.md, CONTRIBUTING.md and docs/*.md: each command is run as it is written there, each session of Python compared with what it prints,
-each model, job, set-up and script read, and each option, file and heading that is named looked for. So is the code in docstrings of Python.
+"""README.md, CONTRIBUTING.md, docs/*.md and the code in docstrings of Python. Each command is run as it is written
+there; each session of Python is compared with what it prints; each model, job, set-up and script is read; each option,
+file and heading that is named must exist.
 
-Files that a document names without bringing them (part.scad, scan.nrrd) are in GIVEN; words in capitals are in PLACEHOLDERS."""
+Files that a document names without bringing them (part.scad, scan.nrrd) are in GIVEN; words in capitals are in
+PLACEHOLDERS."""
 
 import ast
 import contextlib
@@ -91,7 +93,8 @@ def scan(path):
     """Of a ball of 9 mm, with a scanner's 12 bits and a blurred surface: the scans of tests/data have 8 bits."""
     z, y, x = np.mgrid[-12:12.1:0.5, -12:12.1:0.5, -12:12.1:0.5]
     densities = np.round(1000 / (1 + np.exp((np.sqrt(x**2 + y**2 + z**2) - 9) / 0.3))).astype("<i2")
-    head = "NRRD0004\ntype: short\ndimension: 3\nsizes: 49 49 49\nspacings: 0.5 0.5 0.5\nendian: little\nencoding: raw\n\n"
+    head = ("NRRD0004\ntype: short\ndimension: 3\nsizes: 49 49 49\nspacings: 0.5 0.5 0.5\nendian: little\n"
+            "encoding: raw\n\n")
     path.write_bytes(head.encode() + densities.tobytes())
 
 
@@ -112,7 +115,8 @@ def job(path):
 # Made where a command names one that no command before it has made.
 GIVEN = {
     "part.scad": copy_of("tests/data/openscad/knurl.scad"),
-    "knob.scad": text("use <fieldfab.scad>\nsmooth_union(r = 2, voxel = 1) { cylinder(h = 4, r = 16); cylinder(h = 18, r = 9); }\n"),
+    "knob.scad": text(
+        "use <fieldfab.scad>\nsmooth_union(r = 2, voxel = 1) { cylinder(h = 4, r = 16); cylinder(h = 18, r = 9); }\n"),
     "bracket.frep": text("move(box(30, 30, 8), dz = -5)\n"),
     "part.frep": text("box(20, 12, 4)\n"),
     "part.toml": job,
@@ -136,7 +140,8 @@ def given_in(words):
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory):
-    """For each document a folder like the source tree, in which commands may write; its commands are run in it in their order."""
+    """Returns for each document a folder like the source tree, which commands may write into. The document's commands
+    run there in their order."""
     made = {}
 
     def folder_of(document):
@@ -162,7 +167,8 @@ def folders(tmp_path_factory):
 def environment(folder, **more):
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON", "QT", "DISPLAY", "WAYLAND"))}
     cache = os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache"))
-    return {"FIELDFAB_CACHE": f"{cache}/fieldfab", **kept, "HOME": str(folder / "home"), "XDG_RUNTIME_DIR": str(folder / "home"), "LIBGL_ALWAYS_SOFTWARE": "1",
+    return {"FIELDFAB_CACHE": f"{cache}/fieldfab", **kept, "HOME": str(folder / "home"),
+            "XDG_RUNTIME_DIR": str(folder / "home"), "LIBGL_ALWAYS_SOFTWARE": "1",
             "FIELDFAB_BUILD": str(BUILD), "PYTEST_ADDOPTS": "-p no:cacheprovider",
             "PATH": os.pathsep.join(map(str, (folder / "home" / "bin", BUILD / "bin", os.environ["PATH"]))), **more}
 
@@ -173,7 +179,8 @@ def started(command, folder, **more):
     log = folder / "home" / "said"
     log.parent.mkdir(exist_ok=True)
     with open(log, "w") as file:
-        process = subprocess.Popen(["bash", "-c", command], cwd=folder, env=environment(folder, **more), stdin=subprocess.DEVNULL, stdout=file,
+        process = subprocess.Popen(["bash", "-c", command], cwd=folder, env=environment(folder, **more),
+                                   stdin=subprocess.DEVNULL, stdout=file,
                                    stderr=subprocess.STDOUT, start_new_session=True)
     try:
         yield process, log
@@ -204,7 +211,8 @@ def run(command, folder, **more):
 
 def forms(command):
     """A command with and without what is in brackets, and with everything that its capitals may stand for."""
-    found = [command] if "[-" not in command else [re.sub(r" \[-[^]]*\]", "", command), re.sub(r"\[(-[^]]*)\]", r"\1", command)]
+    found = ([command] if "[-" not in command else [re.sub(r" \[-[^]]*\]", "", command),
+                                                    re.sub(r"\[(-[^]]*)\]", r"\1", command)])
     for name, values in PLACEHOLDERS.items():
         if name in command.split() or f"[-{name}" in command or f" {name}]" in command:
             found = [re.sub(rf"(?<= ){re.escape(name)}(?= |$)", value, each) for each in found for value in values]
@@ -219,7 +227,8 @@ COMMANDS = [each for document in DOCUMENTS for each in document.commands]
 FIRST = {each.command: each for each in COMMANDS[::-1]}
 # A command that reads the source tree alone, or opens a window, does the same in every document.
 TO_RUN = [each for each in COMMANDS if each.command not in NOT_RUN
-          and (FIRST[each.command] is each or not (opens_a_window(each.command) or re.match(r"fieldfab \w+ examples/", each.command)))]
+          and (FIRST[each.command] is each
+               or not (opens_a_window(each.command) or re.match(r"fieldfab \w+ examples/", each.command)))]
 BLOCKS = [block for document in DOCUMENTS for block in document.blocks]
 SPANS = [span for document in DOCUMENTS for span in document.spans]
 
@@ -303,7 +312,8 @@ def test_dev_freecad_has_the_workbench_chosen(folders, screen):  # noqa: F811
 
 def own_freecad(folder):
     """The user's settings and add-ons, and when they were changed."""
-    return {path: path.lstat().st_mtime for name in (".config", ".local") for path in (folder / "home" / name).rglob("*")}
+    return {path: path.lstat().st_mtime for name in (".config", ".local")
+            for path in (folder / "home" / name).rglob("*")}
 
 
 # Blocks that are no commands.
@@ -359,7 +369,8 @@ def test_job_machine_or_setup(place, tmp_path):
         machine = place.text
         if "text" not in tables:  # the axes of a machine that has others
             head = (ROOT / "cam" / "machine" / "five_axis_head.toml").read_text()
-            machine = re.sub(r"^\[kinematics\].*?(?=^\[(?!\[?kinematics))", lambda _: place.text + "\n", head, flags=re.M | re.S)
+            machine = re.sub(r"^\[kinematics\].*?(?=^\[(?!\[?kinematics))", lambda _: place.text + "\n", head,
+                             flags=re.M | re.S)
             assert place.text in machine
         (tmp_path / "mine.toml").write_text(machine)
         (tmp_path / "job.toml").write_text(JOB.replace("linuxcnc", "mine.toml"))
@@ -427,10 +438,12 @@ CODE = [(module, line, code) for module, line, words in DOCSTRINGS for code in c
 
 def test_docstrings_are_found():
     assert {"fieldfab._core.Solid", "fieldfab.cam.Job", "fieldfab.pcb"} <= {module for module, _, _ in DOCSTRINGS}
-    assert {"fieldfab.kokopelli", "fieldfab.pcb", "fieldfab.bricks", "fieldfab.python2"} == {module for module, _, _ in CODE}
+    assert {"fieldfab.kokopelli", "fieldfab.pcb", "fieldfab.bricks",
+            "fieldfab.python2"} == {module for module, _, _ in CODE}
 
 
-@pytest.mark.parametrize("module, code", [pytest.param(module, code, id=f"{module}:{line}") for module, line, code in CODE])
+@pytest.mark.parametrize("module, code",
+                         [pytest.param(module, code, id=f"{module}:{line}") for module, line, code in CODE])
 def test_code_of_a_docstring(module, code, folders, tmp_path, monkeypatch):
     if re.match(COMMAND_IN_PROSE, code):
         run(code, folders("docstrings"), PYTHONPATH=str(BUILD / "python"))
@@ -440,7 +453,8 @@ def test_code_of_a_docstring(module, code, folders, tmp_path, monkeypatch):
 
 
 def test_code_in_docstrings_of_other_sources_is_listed():
-    folders = [ROOT / name for name in ("examples", "freecad_workbench", "openscad_import", "packaging", "tests", "web")]
+    folders = [ROOT / name
+               for name in ("examples", "freecad_workbench", "openscad_import", "packaging", "tests", "web")]
     sources = [path for folder in folders for path in folder.rglob("*.py")
                if not {"data", "node_modules", "fieldfab-cache"} & set(path.relative_to(ROOT).parts)]
     with_code = {str(path.relative_to(ROOT)) for path in sources for _, words in docstrings_of(path) if code_of(words)}
@@ -449,7 +463,8 @@ def test_code_in_docstrings_of_other_sources_is_listed():
 
 def test_public_headers_show_no_code():
     """The programs of examples/cpp are the examples of C++: hosts/sdk_test.py builds and runs them."""
-    headers = [path for folder in ("kernel", "cam", "openscad_import") for path in (ROOT / folder / "include").rglob("*.h")]
+    headers = [path for folder in ("kernel", "cam", "openscad_import")
+               for path in (ROOT / folder / "include").rglob("*.h")]
     code = re.compile(r"^\s*///? {4,}\S|[@\\](code|snippet|verbatim)\b|```", re.M)
     assert len(headers) > 50 and [path.name for path in headers if code.search(path.read_text(encoding="utf-8"))] == []
 
@@ -472,7 +487,8 @@ def test_lists_name_what_documents_have():
     assert [command for command in NOT_RUN if command not in commands] == []
     assert [pattern for pattern in WINDOWS if not any(re.match(pattern, command) for command in commands)] == []
     assert [name for name in PLACEHOLDERS if not any(re.search(rf"\b{name}\b", command) for command in commands)] == []
-    words = [block.text for block in BLOCKS] + [each for place in TO_RUN for each in (*forms(place.text), place.session)]
+    words = [block.text for block in BLOCKS] + [each for place in TO_RUN
+                                                for each in (*forms(place.text), place.session)]
     named = {name for each in words for name in given_in(each)}
     assert [name for name in GIVEN if name not in named] == []
     assert set(ELSEWHERE) <= {(block.document, block.language) for block in BLOCKS}
@@ -481,9 +497,11 @@ def test_lists_name_what_documents_have():
 @pytest.fixture(scope="module")
 def options():
     """The options of each verb by its help, and under None those of all programs."""
-    told = lambda *words, **more: set(re.findall(r"--[a-z][\w-]+", subprocess.run(words, capture_output=True, text=True, check=True, **more).stdout))
+    told = (lambda *words, **more: set(
+        re.findall(r"--[a-z][\w-]+", subprocess.run(words, capture_output=True, text=True, check=True, **more).stdout)))
     found = {verb: told(COMMAND, verb, "--help") | told(COMMAND, "--help") for verb in PLACEHOLDERS["VERB"]}
-    bricks = told("/usr/bin/python3", "-m", "fieldfab.bricks", "--help", env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
+    bricks = told("/usr/bin/python3", "-m", "fieldfab.bricks", "--help",
+                  env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
     return {**found, None: set.union(bricks, *found.values())}
 
 
@@ -492,7 +510,8 @@ def test_options_exist(options):
     for span in SPANS:
         verb = re.match(r"fieldfab (\w+)", span.text)
         known = options.get(verb[1] if verb and verb[1] != "VERB" else None, ())
-        missing += [(span.name, option) for option in re.findall(r"(?<!\S)--[a-z][\w-]+", span.text) if option not in known]
+        missing += [(span.name, option) for option in re.findall(r"(?<!\S)--[a-z][\w-]+", span.text)
+                    if option not in known]
     assert missing == []
 
 
@@ -503,7 +522,8 @@ def test_named_verbs_exist():
 
 def test_links_lead_somewhere():
     anchor = lambda heading: re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
-    headings = {str(document.folder / document.name.split("/")[-1]): {anchor(each) for each in document.headings} for document in DOCUMENTS}
+    headings = {str(document.folder / document.name.split("/")[-1]): {anchor(each) for each in document.headings}
+                for document in DOCUMENTS}
     wrong = []
     for document in DOCUMENTS:
         for link in document.links:
@@ -518,12 +538,14 @@ def test_links_lead_somewhere():
 
 def test_files_of_the_tree_exist():
     """Where a path begins is not always said: `frep/tape.cpp` is anywhere."""
-    known = {str(path.relative_to(ROOT)) for top in ROOT.iterdir() if top.name not in ("build", "out", ".git") for path in [top, *top.rglob("*")]}
+    known = {str(path.relative_to(ROOT)) for top in ROOT.iterdir() if top.name not in ("build", "out", ".git")
+             for path in [top, *top.rglob("*")]}
     ends = {path[n:] for path in known for n in range(len(path)) if n == 0 or path[n - 1] == "/"}
     wrong = []
     for document in DOCUMENTS:
         for span in document.spans:
-            if re.fullmatch(r"[\w./-]+\.(cpp|h|inl|py)|(tests|docs|examples|cam|kernel|packaging|cli|python)/[\w./-]*", span.text):
+            if re.fullmatch(r"[\w./-]+\.(cpp|h|inl|py)|(tests|docs|examples|cam|kernel|packaging|cli|python)/[\w./-]*",
+                            span.text):
                 if "NAME" not in span.text and not fnmatch.filter(ends, span.text.rstrip("/").replace("...", "*")):
                     wrong.append((span.name, span.text))
     assert wrong == []

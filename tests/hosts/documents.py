@@ -1,4 +1,5 @@
-"""README.md, CONTRIBUTING.md and docs/*.md: blocks by language, commands, words in backquotes, links; code in docstrings."""
+"""Contents of README.md, CONTRIBUTING.md and docs/*.md: blocks by language, commands, words in backquotes, links. Also
+code in docstrings."""
 
 import inspect
 import re
@@ -7,8 +8,10 @@ import typing
 
 from conftest import ROOT
 
-NAME_OF_VERB = r"fieldfab ([a-z]+)((?: --[\w-]+)*)"  # `fieldfab mesh` and `fieldfab build --quantum` name, and are no commands
-COMMAND_IN_PROSE = r"(\./dev|ninja|fieldfab|freecad|freecadcmd|meshlab|meshlabserver|openscad|ffmpeg|python3) |build/release/bin/|[A-Z]+=\S+ "
+# `fieldfab mesh` and `fieldfab build --quantum` name, and are no commands
+NAME_OF_VERB = r"fieldfab ([a-z]+)((?: --[\w-]+)*)"
+COMMAND_IN_PROSE = (r"(\./dev|ninja|fieldfab|freecad|freecadcmd|meshlab|meshlabserver|openscad|ffmpeg|python3) "
+                    r"|build/release/bin/|[A-Z]+=\S+ ")
 SHELLS = {"": "sh", "bash": "sh", "console": "sh"}
 
 
@@ -66,14 +69,16 @@ class Document:
         prose = "\n".join("" if line.lstrip().startswith("```") else line for line in lines)
         self.headings = [line.lstrip("# ") for line in prose.splitlines() if line.startswith("#")]
         at = lambda found: prose.count("\n", 0, found.start()) + 1
-        self.spans = [Place(self.name, at(each), " ".join(each[1].split())) for each in re.finditer(r"`([^`]+)`", prose)]
+        self.spans = [Place(self.name, at(each), " ".join(each[1].split()))
+                      for each in re.finditer(r"`([^`]+)`", prose)]
         self.links = [Place(self.name, at(each), each[1]) for each in re.finditer(r"\]\(([^)\s]+)\)", prose)]
 
     @property
     def commands(self):
         """As they follow each other, in blocks and in the text."""
         found = [command for block in self.blocks if block.language == "sh" for command in commands_of(block)]
-        found += [span for span in self.spans if re.match(COMMAND_IN_PROSE, span.text) and not re.fullmatch(NAME_OF_VERB, span.text)]
+        found += [span for span in self.spans
+                  if re.match(COMMAND_IN_PROSE, span.text) and not re.fullmatch(NAME_OF_VERB, span.text)]
         return sorted(found, key=lambda each: each.line)
 
 
@@ -83,4 +88,5 @@ def code_of(docstring):
     return [textwrap.dedent(block).strip() for block in found if block.strip()]
 
 
-DOCUMENTS = [Document(path) for path in (ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")))]
+DOCUMENTS = [Document(path)
+             for path in (ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")))]

@@ -12,7 +12,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def on_a_screen(*words, **more):
-    return subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", *map(str, words)], capture_output=True, text=True, stdin=subprocess.DEVNULL, **more)
+    return subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", *map(str, words)], capture_output=True,
+                          text=True, stdin=subprocess.DEVNULL, **more)
 
 
 def test_window_follows_its_file(tmp_path):
@@ -23,7 +24,8 @@ def test_window_follows_its_file(tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     seen = json.loads(done.stdout.splitlines()[-1])
     assert seen["coarse_first"] and seen["changed_by_save"] > 0.05
-    assert [seen[name] for name in ("exact", "exact_after_save", "exact_after_zoom", "exact_after_turn", "exact_flat")] == [0] * 5, seen
+    assert [seen[name] for name in ("exact", "exact_after_save", "exact_after_zoom", "exact_after_turn",
+                                    "exact_flat")] == [0] * 5, seen
     assert 0.5 < seen["zoomed"] < 0.7
     assert "unknown function 'spheer'; did you mean 'sphere'?" in seen["message"] and ":1:29:" in seen["message"]
     assert seen["message"].splitlines()[1].startswith("model.frep:2:5: unknown name 'q'"), "the mistakes below, too"
@@ -42,7 +44,8 @@ def test_command_opens_the_window(tmp_path):
     model = tmp_path / "model.py"
     model.write_text("from fieldfab.shapes import sphere\nsolid = sphere(5)\n(open(__file__ + '.ran', 'w')).close()\n")
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
-    shell = f"'{COMMAND}' edit '{model}' & window=$!; for i in $(seq 100); do [ -e '{model}.ran' ] && break; sleep 0.2; done; sleep 1; kill -0 $window && kill $window; [ -e '{model}.ran' ]"
+    shell = (f"'{COMMAND}' edit '{model}' & window=$!; for i in $(seq 100); do [ -e '{model}.ran' ] && break; "
+             f"sleep 0.2; done; sleep 1; kill -0 $window && kill $window; [ -e '{model}.ran' ]")
     done = on_a_screen("bash", "-c", shell, env=environment, timeout=60)
     assert done.returncode == 0, done.stdout + done.stderr
 

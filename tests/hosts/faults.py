@@ -12,8 +12,8 @@ CRASHES = (-6, -11, -7, 134, 139, 135)  # SIGABRT, SIGSEGV, SIGBUS
 
 
 def run(arguments, folder, timeout=120, threads=2, program=None, **faults):
-    """Runs the command, or another program, in `folder`, its temporary files in one of their own; faults are variables of faults.cpp
-    in lower case."""
+    """Runs the command, or another program, in `folder`, with its temporary files in a folder of their own. `faults`:
+    variables of faults.cpp in lower case."""
     if not LIBRARY.exists():
         pytest.skip(f"{LIBRARY} is not built (target faults)")
     temporary = folder.parent / (folder.name + ".tmp")
@@ -21,7 +21,8 @@ def run(arguments, folder, timeout=120, threads=2, program=None, **faults):
     environment = {**os.environ, "TMPDIR": str(temporary), "LD_PRELOAD": str(LIBRARY)}
     environment |= {f"FAULT_{name.upper()}": str(value) for name, value in faults.items()}
     words = [*(program or [COMMAND, "--threads", str(threads)]), *map(str, arguments)]
-    done = subprocess.run(words, capture_output=True, text=True, timeout=timeout, cwd=folder, env=environment, errors="replace")
+    done = subprocess.run(words, capture_output=True, text=True, timeout=timeout, cwd=folder, env=environment,
+                          errors="replace")
     done.left = sorted(path.name for path in temporary.iterdir())
     shutil.rmtree(temporary)
     return done
@@ -33,8 +34,8 @@ def files_of(folder):
 
 
 def lose_power(journal, folder):
-    """Does to files what a loss of power may do: renames whose folder was not synced are undone, and of files only what was synced is
-    left. `journal` is the folder that faults.cpp kept, `folder` the one that the program ran in."""
+    """Does to files what a loss of power may do: renames whose folder was not synced are undone, and of a file only
+    what was synced is left. `journal`: the folder that faults.cpp kept; `folder`: the one that the program ran in."""
     synced, renames = {}, []
     for line in (journal / "journal").read_text().splitlines() if (journal / "journal").exists() else []:
         kind, *words = line.split("\t")

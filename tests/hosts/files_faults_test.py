@@ -1,7 +1,7 @@
 """Calls that fail one after another, and losses of power at any moment: what was there stays, or what is new is whole.
 
-FIELDFAB_KILLS: how many moments of a loss of power, and twice as many allocations, are tried for each command; 6 where it is not
-set."""
+FIELDFAB_KILLS: how many moments of a loss of power, and twice as many allocations, are tried for each command; 6 where
+it is not set."""
 
 import os
 import random
@@ -42,7 +42,8 @@ def once(name, folder, old=OLD, **injected):
     after = faults.files_of(folder)
     assert done.returncode not in faults.CRASHES, (injected, done.stderr)
     assert done.left == [], (injected, "temporary files are left")
-    assert {path: data for path, data in after.items() if path != out} == {path: data for path, data in before.items() if path != out}, injected
+    assert ({path: data for path, data in after.items() if path != out}
+            == {path: data for path, data in before.items() if path != out}), injected
     done.replaced = after.get(out) != before.get(out)
     return done
 
@@ -69,8 +70,8 @@ def test_a_failing_call_leaves_the_old_file(name, call, folder):
 @pytest.mark.parametrize("lasting", [False, True])
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_thread_that_cannot_be_started(name, lasting, folder):
-    """log4cplus, which OpenVDB links to, starts a pool of threads while it is loaded and may wait forever where one of them cannot
-    start. The command tries as many threads before; what fails after that is not tried."""
+    """The command may wait forever while log4cplus, which OpenVDB links to, is loaded: it starts a pool of threads, one
+    of which cannot start. The command tries as many threads before; what fails after that is not tried."""
     for number in range(1, 2 + max(2, len(os.sched_getaffinity(0))) if name == "convert" else 20):
         done = once(name, folder, call="pthread_create", at=number, threads=4, **({"lasting": 1} if lasting else {}))
         if done.returncode == 0:
@@ -95,16 +96,19 @@ def test_memory_that_is_refused(name, lasting, folder, tmp_path):
         if done.returncode == 0:  # libraries do without some
             assert done.replaced
             continue
-        # A library may take a lack of memory for a damaged file. The summary needs memory, too, after the file is there.
+        # A library may report a lack of memory as a damaged file. The summary needs memory, too, after the file is
+        # there.
         assert done.returncode in (2, 3), (number, done.returncode, done.stderr)
         assert not done.replaced or good(name, (folder / COMMANDS[name][1]).read_bytes(), new), number
-        assert len([line for line in done.stderr.splitlines() if line.startswith("fieldfab: ")]) == 1, (number, done.stderr)
+        assert len([line for line in done.stderr.splitlines() if line.startswith("fieldfab: ")]) == 1, (
+            number, done.stderr)
     assert 3 in codes
 
 
 def good(name, data, expected):
     """Whether a file is what the command makes: meshes are made in parallel, the others are the same to the byte."""
-    return data == expected or (name in ("mesh", "parts", "openscad", "simulate", "convert") and abs(len(data) - len(expected)) < 64 and data[:4] == expected[:4])
+    return (data == expected or (name in ("mesh", "parts", "openscad", "simulate", "convert")
+                                 and abs(len(data) - len(expected)) < 64 and data[:4] == expected[:4]))
 
 
 @pytest.mark.parametrize("name", COMMANDS)
@@ -113,7 +117,8 @@ def test_a_loss_of_power_leaves_the_old_file_or_the_new_one(name, folder, tmp_pa
     words, out = COMMANDS[name]
     assert once(name, folder, call="any", count=tmp_path / "count").returncode == 0
     new, total = (folder / out).read_bytes(), int((tmp_path / "count").read_text())
-    moments = range(1, total + 2) if total < KILLS else sorted({1, total - 2, total - 1, total, total + 1} | set(random.Random(name).sample(range(1, total), KILLS - 4)))
+    moments = (range(1, total + 2) if total < KILLS else sorted(
+        {1, total - 2, total - 1, total, total + 1} | set(random.Random(name).sample(range(1, total), KILLS - 4))))
     seen = set()
     for moment in moments:
         journal = tmp_path / f"journal{moment}"
@@ -148,7 +153,8 @@ def test_a_loss_of_power_leaves_an_import_in_parts_whole(folder, tmp_path):
     """What fieldfab.bricks does in its processes."""
     (folder / "parts.py").write_text(PARTS)
     (folder / "made.asdf").write_bytes(OLD)
-    python = {"program": ["/usr/bin/python3", "-B"], "arguments": ["parts.py", BUILD / "python"], "folder": folder, "call": "any"}
+    python = {"program": ["/usr/bin/python3", "-B"], "arguments": ["parts.py", BUILD / "python"], "folder": folder,
+              "call": "any"}
     done = faults.run(**python, count=tmp_path / "count")
     assert done.returncode == 0, done.stderr
     new, total = faults.files_of(folder), int((tmp_path / "count").read_text())

@@ -89,14 +89,16 @@ def inputs(folder):
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "ball.frep").write_text("sphere(5)")
     (folder / "two_parts.frep").write_text('part(box(3, 3, 3), "a", "red")\npart(move(sphere(1), dx = 4), "b", "blue")')
-    (folder / "plate.csg").write_text("difference() { cube(size = [8, 6, 1], center = true); cylinder(h = 3, r1 = 1, r2 = 1, center = true, $fn = 12); }")
+    (folder / "plate.csg").write_text("difference() { cube(size = [8, 6, 1], center = true); "
+                                      "cylinder(h = 3, r1 = 1, r2 = 1, center = true, $fn = 12); }")
     (folder / "part.frep").write_text("max(max(max(abs(x) - 9, abs(y) - 9), max(z, -z - 8)), 4 - sqrt(x*x + y*y))")
     (folder / "job.toml").write_text(JOB)
     (folder / "program.nc").write_text(PROGRAM)
     (folder / "setup.toml").write_text(SETUP)
     (folder / "box.scad").write_text("cube([10, 20, 30]);")
     z, y, x = np.meshgrid(*[np.arange(20) - 9.5] * 3, indexing="ij")
-    np.clip(128 + 40 * (6 - np.sqrt(x * x + y * y + z * z)), 0, 255).astype(np.uint8).tofile(folder / "scan_20x20x20_uint8.raw")
+    np.clip(128 + 40 * (6 - np.sqrt(x * x + y * y + z * z)), 0, 255).astype(np.uint8).tofile(
+        folder / "scan_20x20x20_uint8.raw")
     return folder
 
 
@@ -120,7 +122,8 @@ def run(words, folder, timeout=120, **more):
     assert list(temporary.iterdir()) == [], "temporary files are left"
     if done.stderr is not None:
         done.message = done.stderr.decode(errors="replace")
-        done.lines = [line for line in done.message.splitlines() if line.strip() and not line.startswith("fieldfab: note: ")]
+        done.lines = [line for line in done.message.splitlines()
+                      if line.strip() and not line.startswith("fieldfab: note: ")]
     return done
 
 
@@ -179,8 +182,10 @@ def small_disk(tmp_path_factory):
 @pytest.mark.parametrize("free", [0, 4096])
 @pytest.mark.parametrize("name", OUTPUTS)
 def test_a_full_disk_leaves_the_old_file(name, free, folder, small_disk):
-    if free and name in TEXTS + ["part.nc", "solid.asdf", "ways.svg", "report.json", "histogram.png", "scan.nii.gz", "design.stl", "stock.png",
-                                 "picture.png", "frames/frame_0001.png", "ways.png", "scan.nrrd", "stock.stl", "scan.asdf"]:
+    if free and name in TEXTS + ["part.nc", "solid.asdf", "ways.svg", "report.json", "histogram.png", "scan.nii.gz",
+                                 "design.stl", "stock.png",
+                                 "picture.png", "frames/frame_0001.png", "ways.png", "scan.nrrd", "stock.stl",
+                                 "scan.asdf"]:
         pytest.skip("fits into 4096 bytes, or nearly")
     for path in small_disk.iterdir():
         shutil.rmtree(path) if path.is_dir() else path.unlink()
@@ -263,7 +268,8 @@ def test_a_mesh_that_takes_long_says_why(folder):
     lines = ["OFF", f"{count + 1} {count} 0", *(" ".join(map(str, p)) for p in [*rim, (0, 0, -10)])]
     lines += [f"3 {i} {(i + 1) % count} {count}" for i in range(count)]
     (folder / "cone.off").write_text("\n".join(lines) + "\n")
-    process = subprocess.Popen([COMMAND, "--progress", "mesh", "cone.off", "-o", "made.stl"], cwd=folder, stderr=subprocess.PIPE)
+    process = subprocess.Popen([COMMAND, "--progress", "mesh", "cone.off", "-o", "made.stl"], cwd=folder,
+                               stderr=subprocess.PIPE)
     os.set_blocking(process.stderr.fileno(), False)
     said, deadline = b"", time.monotonic() + 10
     while time.monotonic() < deadline and not (b"winding numbers" in said and b"sampling" in said):
@@ -281,8 +287,10 @@ def test_python_names_the_file_that_was_asked_for(folder, monkeypatch):
     full = folder / "full"
     mesh = ff.mesh(ff.parse("sphere(5)"), voxel=1)
     volume = ff.Volume.open(folder / "scan_20x20x20_uint8.raw")
-    writers = {"stl": mesh.save, "nii.gz": volume.save, "nrrd": volume.save, "asdf": volume.save_asdf, "png": ff.render(ff.parse("sphere(5)"), size=64).save,
-               "vdb": lambda path: ff.write_vdb(ff.parse("sphere(5)"), path, voxel=1), "txt": lambda path: ff.write_file(path, "text")}
+    writers = {"stl": mesh.save, "nii.gz": volume.save, "nrrd": volume.save, "asdf": volume.save_asdf,
+               "png": ff.render(ff.parse("sphere(5)"), size=64).save,
+               "vdb": lambda path: ff.write_vdb(ff.parse("sphere(5)"), path, voxel=1),
+               "txt": lambda path: ff.write_file(path, "text")}
     for ending, write in writers.items():
         path = folder / f"full.{ending}"
         path.symlink_to("/dev/full")
@@ -296,7 +304,8 @@ def test_python_names_the_file_that_was_asked_for(folder, monkeypatch):
     assert not full.exists()
     ff.write_file(folder / "text.txt", "grün")
     ff.write_file(folder / "bytes.bin", b"\0\xff")
-    assert (folder / "text.txt").read_text(encoding="utf-8") == "grün" and (folder / "bytes.bin").read_bytes() == b"\0\xff"
+    assert ((folder / "text.txt").read_text(encoding="utf-8") == "grün"
+            and (folder / "bytes.bin").read_bytes() == b"\0\xff")
 
 
 # Streams
@@ -329,7 +338,8 @@ def made(folder):
 @pytest.mark.parametrize("verb", VERBS)
 def test_streams_that_are_closed_full_or_dead(verb, folder):
     expected = 0 if verb in ("check", "info", "help") else 1
-    for redirections in ("<&-", ">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-", "2>/dev/full", "--progress 2>/dev/full", "2> >(true)", "--progress 2> >(true)"):
+    for redirections in ("<&-", ">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-", "2>/dev/full", "--progress 2>/dev/full",
+                         "2> >(true)", "--progress 2> >(true)"):
         done = shell(folder, verb, redirections)
         assert done.returncode == 0, (redirections, done.returncode, done.stderr)
         assert len(made(folder)) == expected
@@ -338,23 +348,28 @@ def test_streams_that_are_closed_full_or_dead(verb, folder):
             path.unlink()
     for options in ("", "--json"):
         done = shell(folder, verb, ">/dev/full", options)
-        assert done.returncode == 2 and done.stderr.endswith("fieldfab: standard output: cannot write: No space left on device\n")
+        assert (done.returncode == 2
+                and done.stderr.endswith("fieldfab: standard output: cannot write: No space left on device\n"))
         assert len(made(folder)) == expected, "the work is done, only its summary is lost"
         done = shell(folder, verb, "| true; exit ${PIPESTATUS[0]}", options)
-        assert done.returncode in (0, 2) and done.stderr in ("", "fieldfab: standard output: cannot write: Broken pipe\n") or "note" in done.stderr
+        expected = ("", "fieldfab: standard output: cannot write: Broken pipe\n")
+        assert done.returncode in (0, 2) and done.stderr in expected or "note" in done.stderr
 
 
 @pytest.mark.parametrize("redirection", ["2>&-", "2>/dev/full", "2> >(true)", ">&- 2>&-", ">/dev/full 2>&1"])
 def test_complaints_to_streams_that_fail(redirection, folder):
-    assert subprocess.run(["bash", "-c", f"{COMMAND} mesh absent.frep -o made.stl {redirection}"], cwd=folder).returncode == 2
+    assert subprocess.run(["bash", "-c", f"{COMMAND} mesh absent.frep -o made.stl {redirection}"],
+                          cwd=folder).returncode == 2
     assert subprocess.run(["bash", "-c", f"{COMMAND} frobnicate {redirection}"], cwd=folder).returncode == 2
 
 
 def test_json_of_names_that_are_no_utf8(folder):
     name = b"n\xff\xfe.frep"
     (pathlib.Path(os.fsdecode(os.fsencode(folder) + b"/" + name))).write_text("sphere(5)")
-    for words in ([b"info", name], [b"mesh", name, b"-o", b"m\xff.stl", b"--voxel", b"1"], [b"convert", name, b"-o", b"m\xff.vm"],
-                  [b"render", name, b"-o", b"m\xff.png", b"--size", b"16"], [b"check", name, b"--voxel", b"1"], [b"build", name, b"-o", b"m\xff.asdf", b"--voxel", b"1"]):
+    for words in ([b"info", name], [b"mesh", name, b"-o", b"m\xff.stl", b"--voxel", b"1"],
+                  [b"convert", name, b"-o", b"m\xff.vm"],
+                  [b"render", name, b"-o", b"m\xff.png", b"--size", b"16"], [b"check", name, b"--voxel", b"1"],
+                  [b"build", name, b"-o", b"m\xff.asdf", b"--voxel", b"1"]):
         done = subprocess.run([COMMAND, "--json", *words], capture_output=True, cwd=folder)
         assert done.returncode == 0, done.stderr
         json.loads(done.stdout.decode("utf-8"))
@@ -363,7 +378,8 @@ def test_json_of_names_that_are_no_utf8(folder):
 # Inputs that are no files
 
 INPUTS = {
-    "info": "frep math vm py csg scad stl ply off obj 3mf asdf png raw vol vgi tif mha mhd nrrd nhdr nii nii.gz dcm vdb".split(),
+    "info": "frep math vm py csg scad stl ply off obj 3mf asdf png raw vol vgi tif mha mhd nrrd nhdr nii nii.gz "
+    "dcm vdb".split(),
     "mesh": "frep py ko scad stl asdf nrrd vdb tif".split(),
     "simulate": ["nc", "sbp", "rml", "plt"],
     "cam": ["toml"],
@@ -386,7 +402,8 @@ def test_what_is_no_file_is_refused_at_once(verb, ending, kind, folder):
         server = socket.socket(socket.AF_UNIX)
         os.chdir(folder)  # names of sockets are short
         server.bind(path.name)
-    more = {"mesh": ["-o", "made.stl"], "simulate": ["--setup", "setup.toml"], "cam": ["-o", "made.nc"], "openscad": ["-o", "made.stl"]}
+    more = {"mesh": ["-o", "made.stl"], "simulate": ["--setup", "setup.toml"], "cam": ["-o", "made.nc"],
+            "openscad": ["-o", "made.stl"]}
     started = time.monotonic()
     message = refused(run([verb, path, *more.get(verb, [])], folder, timeout=10))
     assert time.monotonic() - started < 3
@@ -401,12 +418,16 @@ def test_files_named_by_files_are_no_pipes(folder):
     os.mkfifo(folder / "pipe.raw")
     (folder / "a.toml").write_text(SETUP.replace("[stock]", '[target]\nmodel = "pipe.frep"\n[stock]', 1))
     (folder / "b.toml").write_text(JOB.replace("part.frep", "pipe.frep"))
-    (folder / "c.mhd").write_text("ObjectType = Image\nNDims = 3\nDimSize = 20 20 20\nElementType = MET_UCHAR\nElementDataFile = pipe.raw\n")
-    (folder / "d.nhdr").write_text("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 20 20 20\nencoding: raw\ndata file: pipe.raw\n")
+    (folder / "c.mhd").write_text("ObjectType = Image\nNDims = 3\nDimSize = 20 20 20\nElementType = MET_UCHAR\n"
+                                  "ElementDataFile = pipe.raw\n")
+    (folder / "d.nhdr").write_text("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 20 20 20\nencoding: raw\n"
+                                   "data file: pipe.raw\n")
     (folder / "e.vgi").write_text("size = 20 20 20\nbitsperelement = 8\ndatatype = unsigned integer\nname = pipe.raw\n")
     (folder / "e.vol").write_bytes(b"")
-    for words in (["simulate", "program.nc", "--setup", "a.toml"], ["cam", "b.toml", "-o", "made.nc"], ["info", "c.mhd"], ["info", "d.nhdr"], ["info", "e.vgi"],
-                  ["simulate", "program.nc", "--setup", "setup.toml", "--target", "pipe.frep"], ["simulate", "program.nc", "--setup", "pipe.frep"]):
+    for words in (["simulate", "program.nc", "--setup", "a.toml"], ["cam", "b.toml", "-o", "made.nc"],
+                  ["info", "c.mhd"], ["info", "d.nhdr"], ["info", "e.vgi"],
+                  ["simulate", "program.nc", "--setup", "setup.toml", "--target", "pipe.frep"],
+                  ["simulate", "program.nc", "--setup", "pipe.frep"]):
         started = time.monotonic()
         assert "is a pipe, not a file" in refused(run(words, folder, timeout=10)), words
         assert time.monotonic() - started < 3
@@ -420,7 +441,8 @@ def test_files_named_by_files_are_no_pipes(folder):
 def test_a_substituted_process_is_read(folder):
     """A pipe that the shell gives, by a name with the ending that tells its form."""
     (folder / "given.frep").symlink_to("/dev/stdin")
-    done = subprocess.run(["bash", "-c", f"echo 'sphere(5)' | {COMMAND} info given.frep"], cwd=folder, capture_output=True, text=True, timeout=20)
+    done = subprocess.run(["bash", "-c", f"echo 'sphere(5)' | {COMMAND} info given.frep"], cwd=folder,
+                          capture_output=True, text=True, timeout=20)
     assert done.returncode == 0 and "f-rep" in done.stdout, done.stderr
 
 
@@ -458,8 +480,10 @@ def interrupted(words, folder, seconds, number=signal.SIGINT):
     """How the command ended, and how long it took to, after a signal."""
     temporary = folder.parent / "tmp"
     temporary.mkdir(exist_ok=True)
-    taken = lambda: [signal.signal(each, signal.SIG_DFL) for each in (signal.SIGINT, signal.SIGHUP)]  # noqa: E731: nohup leaves one ignored
-    process = subprocess.Popen([COMMAND, *words], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=taken,
+    # nohup leaves one of them ignored.
+    taken = lambda: [signal.signal(each, signal.SIG_DFL) for each in (signal.SIGINT, signal.SIGHUP)]  # noqa: E731
+    process = subprocess.Popen([COMMAND, *words], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               preexec_fn=taken,
                                env={**os.environ, "TMPDIR": str(temporary)})
     try:
         time.sleep(seconds)
@@ -478,7 +502,8 @@ def test_an_interrupt_is_answered_in_half_a_second(name, folder):
     (folder / "heavy.frep").write_text(text)
     chance = random.Random(name)
     for moment in range(6):
-        code, seconds, message = interrupted(words.split(), folder, chance.uniform(0.3, 4), chance.choice([signal.SIGINT, signal.SIGTERM, signal.SIGHUP]))
+        code, seconds, message = interrupted(words.split(), folder, chance.uniform(0.3, 4),
+                                             chance.choice([signal.SIGINT, signal.SIGTERM, signal.SIGHUP]))
         if code == 0:
             for path in made(folder):
                 path.unlink()
@@ -535,15 +560,18 @@ def test_what_is_started_ends_with_the_one_that_started_it(how, folder):
         "script": [COMMAND, "info", "endless.py"],
         "openscad": [COMMAND, "info", "endless.scad"],
         "python": [sys.executable, "-c", "import fieldfab as ff; ff.run_model('endless.py')"],
-        "kokopelli": [sys.executable, "-c", "import subprocess, sys; subprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.ko']).wait()"],
-        "workbench": [sys.executable, "-c", "import subprocess, sys; subprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.py']).wait()"],
+        "kokopelli": [sys.executable, "-c", "import subprocess, sys; "
+                      "subprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.ko']).wait()"],
+        "workbench": [sys.executable, "-c", "import subprocess, sys; "
+                      "subprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.py']).wait()"],
     }[how]
     if how == "openscad" and shutil.which("openscad") is None:
         pytest.skip("openscad is not installed")
     process = subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
     deadline = time.monotonic() + 20
-    while time.monotonic() < deadline and not ((folder / "started").exists() or (how == "openscad" and children_of(process.pid))):
+    while (time.monotonic() < deadline
+           and not ((folder / "started").exists() or (how == "openscad" and children_of(process.pid)))):
         time.sleep(0.05)
     below = children_of(process.pid)
     assert below

@@ -210,7 +210,8 @@ NAMES = ("Fuß <unten> & 'so'", "middle", "top")
 def parts(tmp_path_factory):
     """What write_parts.cpp writes: boxes of 30 by 20 by 10 mm, at z = 0, 15 and 30, the middle one without a colour."""
     folder = tmp_path_factory.mktemp("parts of it")
-    run(BUILD / "bin" / "write_parts", *(folder / f"my parts.{form}" for form in ("glb", "obj", "ply", "3mf", "stl", "off")))
+    run(BUILD / "bin" / "write_parts",
+        *(folder / f"my parts.{form}" for form in ("glb", "obj", "ply", "3mf", "stl", "off")))
     return folder
 
 
@@ -299,7 +300,8 @@ def test_parts_are_read_as_one_mesh(parts, extension):
 
 def test_parts_stay_parts(parts, tmp_path):
     """From form to form, and of a text."""
-    told_of = lambda path: [(p["name"], p["colour"], p["bounds"], pytest.approx(p["volume"])) for p in told(path)["parts"]]
+    told_of = lambda path: [(p["name"], p["colour"], p["bounds"], pytest.approx(p["volume"]))
+                            for p in told(path)["parts"]]
     summary("convert", parts / "my parts.3mf", "-o", tmp_path / "again.3mf")
     assert told_of(tmp_path / "again.3mf") == told_of(parts / "my parts.3mf")
     summary("convert", parts / "my parts.3mf", "-o", tmp_path / "one.3mf", "--part", NAMES[1])

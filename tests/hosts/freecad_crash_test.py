@@ -1,4 +1,5 @@
-"""FreeCAD killed while it saves and while it recomputes: what is on the disk afterwards is the old document or the new one, whole."""
+"""FreeCAD killed while it saves and while it recomputes: afterwards the old document or the new one is on the disk,
+whole."""
 
 import json
 import math
@@ -17,12 +18,14 @@ MOMENTS = {"saving": 0.15, "making": 0.3}  # seconds after which the longest of 
 
 
 def freecadcmd(script, home, document, **more):
-    return subprocess.Popen(["freecadcmd", str(HERE / "freecad" / script)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+    return subprocess.Popen(["freecadcmd", str(HERE / "freecad" / script)], stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                             env=environment(home, QT_QPA_PLATFORM="offscreen", FIELDFAB_DOCUMENT=str(document), **more))
 
 
 def kill_at(moment, victim, chance):
-    """Kills a victim at a random time within one of its saves or recomputes; the radii that its document may have then."""
+    """Kills a victim at a random time within one of its saves or recomputes. Returns the radii that its document may
+    have then."""
     wanted, saved = 1 + chance.randrange(2), 5.0
     for line in victim.stdout:
         doing, radius = (line.split() + ["", ""])[:2]
@@ -51,7 +54,8 @@ def test_a_killed_freecad_leaves_the_old_document_or_the_new_one(home, tmp_path)
         shutil.copy(fresh, document)
         moment = chance.choice(("saving", "saving", "making"))
         expected[document] = (moment, kill_at(moment, freecadcmd("crash_victim.py", home, document), chance))
-    # FreeCAD writes a new file, then renames the old one to .FCStd1, then the new one: killed between the two it leaves the old as .FCStd1.
+    # FreeCAD writes a new file, renames the old one to .FCStd1, and then renames the new one. Killed between the two
+    # renames it leaves the old file as .FCStd1.
     between = [document for document in expected if not document.exists()]
     left = {document: document.with_suffix(".FCStd1") if document in between else document for document in expected}
     for document in between:
@@ -59,12 +63,16 @@ def test_a_killed_freecad_leaves_the_old_document_or_the_new_one(home, tmp_path)
     checker = freecadcmd("crash_check.py", home, fresh, FIELDFAB_DOCUMENTS=os.pathsep.join(map(str, expected)))
     checker.communicate(timeout=120)
     seen = json.loads((home / "result.json").read_text())
-    halfway = sum(any(".FCStd." in other.name and other.name.startswith(document.name) for other in tmp_path.iterdir()) for document in expected)
-    print(f"{len(expected)} rounds, {sum(moment == 'saving' for moment, _ in expected.values())} of them at a save; {halfway} left a half-written new file, {len(between)} were between two renames")
+    halfway = sum(any(".FCStd." in other.name and other.name.startswith(document.name) for other in tmp_path.iterdir())
+                  for document in expected)
+    print(f"{len(expected)} rounds, {sum(moment == 'saving' for moment, _ in expected.values())} of them at a save; "
+          f"{halfway} left a half-written new file, {len(between)} were between two renames")
     for document, (moment, radii) in expected.items():
         found = seen[str(document)]
         assert "error" not in found, (moment, found)
         assert found["radius"] in radii, (moment, radii, found)
-        assert found["closed"] and found["triangles"] == found["facets"] and found["valid"] and not found["recomputed"], (moment, found)
-        assert found["volume"] == pytest.approx(4 / 3 * math.pi * found["radius"] ** 3, rel=0.01) == pytest.approx(found["measured"], rel=0.01), (moment, found)
+        assert (found["closed"] and found["triangles"] == found["facets"] and found["valid"]
+                and not found["recomputed"]), (moment, found)
+        assert found["volume"] == pytest.approx(4 / 3 * math.pi * found["radius"] ** 3,
+                                                rel=0.01) == pytest.approx(found["measured"], rel=0.01), (moment, found)
     assert len(expected) >= 8 and len({moment for moment, _ in expected.values()}) == 2

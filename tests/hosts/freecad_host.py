@@ -24,8 +24,12 @@ def home(tmp_path):
     (config / "user.cfg").write_text(
         """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
-<FCParamGroup Name="General"><FCText Name="AutoloadModule">FieldfabWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
-<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/><FCBool Name="closeStart" Value="1"/></FCParamGroup></FCParamGroup>
+<FCParamGroup Name="General">
+<FCText Name="AutoloadModule">FieldfabWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/>
+</FCParamGroup>
+<FCParamGroup Name="Mod"><FCParamGroup Name="Start">
+<FCBool Name="ShowOnStartup" Value="0"/><FCBool Name="closeStart" Value="1"/>
+</FCParamGroup></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
     )
@@ -34,14 +38,16 @@ def home(tmp_path):
 
 def environment(home, **more):
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON"))}
-    return {**kept, "HOME": str(home), "FIELDFAB_RESULT": str(home / "result.json"), "QTWEBENGINE_DISABLE_SANDBOX": "1", "LIBGL_ALWAYS_SOFTWARE": "1", **more}
+    return {**kept, "HOME": str(home), "FIELDFAB_RESULT": str(home / "result.json"), "QTWEBENGINE_DISABLE_SANDBOX": "1",
+            "LIBGL_ALWAYS_SOFTWARE": "1", **more}
 
 
 @pytest.fixture
 def screen():
     """An X server of our own; its DISPLAY."""
     read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp"],
+                              pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)
     yield ":" + os.read(read, 16).decode().strip()
     server.kill()
@@ -49,11 +55,13 @@ def screen():
 
 
 def run_inside(home, file, screen=None, timeout=900, **more):
-    """Runs a pytest file inside FreeCAD, in its window where there is a screen; asserts that at least one test ran and all passed.
-    FIELDFAB_PYTEST in the environment may hold more options for it (-k ...); FIELDFAB_SHOTS names a folder for screenshots."""
+    """Runs a pytest file inside FreeCAD, in its window where there is a screen. Asserts that at least one test ran and
+    that all passed. FIELDFAB_PYTEST in the environment may hold more options for it (-k ...); FIELDFAB_SHOTS names a
+    folder for screenshots."""
     where = {"DISPLAY": screen} if screen else {"QT_QPA_PLATFORM": "offscreen"}
     env = environment(home, FIELDFAB_INSIDE=str(file), **where, **more)
-    freecad = subprocess.Popen(["freecad" if screen else "freecadcmd", str(HERE / "freecad" / "run_inside.py")], env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    freecad = subprocess.Popen(["freecad" if screen else "freecadcmd", str(HERE / "freecad" / "run_inside.py")],
+                               env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                stdin=subprocess.DEVNULL, start_new_session=True)
     try:
         said = freecad.communicate(timeout=timeout)[0].decode(errors="replace")

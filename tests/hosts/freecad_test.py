@@ -16,7 +16,8 @@ from freecad_host import HERE, TIMEOUT, environment, home, screen  # noqa: F401
 
 def test_solid_without_window(home):
     env = environment(home, QT_QPA_PLATFORM="offscreen")
-    subprocess.run(["freecadcmd", str(HERE / "freecad" / "without_window.py")], env=env, timeout=TIMEOUT, capture_output=True, stdin=subprocess.DEVNULL)
+    subprocess.run(["freecadcmd", str(HERE / "freecad" / "without_window.py")], env=env, timeout=TIMEOUT,
+                   capture_output=True, stdin=subprocess.DEVNULL)
     seen = json.loads((home / "result.json").read_text())
     assert "error" not in seen, seen["error"]
     assert seen["valid"] and seen["solid"] and not seen["self_intersections"]
@@ -36,7 +37,8 @@ def test_solid_without_window(home):
 def test_real_window(home, screen, tmp_path):
     assert shutil.which("freecad") and shutil.which("Xvfb") and shutil.which("import")
     env = environment(home, DISPLAY=screen)
-    freecad = subprocess.Popen(["freecad", str(HERE / "freecad" / "with_window.FCMacro")], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+    freecad = subprocess.Popen(["freecad", str(HERE / "freecad" / "with_window.FCMacro")], env=env,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
     try:
         deadline = time.monotonic() + TIMEOUT
         while not (home / "result.json").exists():
@@ -63,7 +65,8 @@ def test_real_window(home, screen, tmp_path):
     assert seen["applied"] == "sphere(r = 3)" and seen["cancel_restored"]
     assert seen["made"] == 2 and seen["left_after_cancel"] == ["FrepSolid"] and seen["closed_by_cancel"]
     # The solid is blue and lit: a good part of the 3D view must be bluish, in many shades.
-    raw = subprocess.run(["convert", str(shot), "-resize", "350x215!", "-depth", "8", "rgb:-"], capture_output=True, check=True).stdout
+    raw = subprocess.run(["convert", str(shot), "-resize", "350x215!", "-depth", "8", "rgb:-"], capture_output=True,
+                         check=True).stdout
     pixels = [raw[i : i + 3] for i in range(0, len(raw), 3)]
     blue = {tuple(p) for p in pixels if p[2] > p[0] + 25 and p[2] > 60}
     assert len(blue) > 300, f"only {len(blue)} shades of the solid's colour are seen"

@@ -1,4 +1,5 @@
-"""A program's motions as Fieldfab's reader gives them and as LinuxCNC's rs274 does, in the same terms: tip in machine coordinates, mm and degrees."""
+"""Motions of a program from Fieldfab's reader and from LinuxCNC's rs274, in the same terms: the tip in machine
+coordinates, mm and degrees."""
 
 import math
 import os
@@ -30,17 +31,20 @@ class Move:
 
 
 def ours(program, tools=TOOLS):
-    """(moves, error or "", notes) of our reader; an AssertionError where it neither ends well nor says what is wrong."""
+    """Returns (moves, error or "", notes) of our reader. Raises AssertionError where it neither ends well nor says what
+    is wrong."""
     with tempfile.NamedTemporaryFile("w") as table:
         table.write("".join(f"{n} {length} {diameter}\n" for n, length, diameter in tools))
         table.flush()
-        done = subprocess.run([READER, str(program), table.name], capture_output=True, text=True, errors="replace", timeout=300)
+        done = subprocess.run([READER, str(program), table.name], capture_output=True, text=True, errors="replace",
+                              timeout=300)
     assert done.returncode in (0, 2), f"{program}: {done.returncode} {done.stderr}"
     moves = []
     for line in done.stdout.splitlines():
         kind, number, plane, _, *n = line.split()
         n = [float(x) for x in n]
-        moves.append(Move(kind, tuple(n[:6]), (n[9], n[10]), int(n[11]), int(plane), n[12], n[13], int(n[14]), n[15], 1.0, tuple(n[16:19]), "line " + number))
+        moves.append(Move(kind, tuple(n[:6]), (n[9], n[10]), int(n[11]), int(plane), n[12], n[13], int(n[14]), n[15],
+                          1.0, tuple(n[16:19]), "line " + number))
     notes = [x for x in done.stderr.splitlines() if x.startswith("note ")]
     error = "\n".join(x for x in done.stderr.splitlines() if not x.startswith("note "))
     if done.returncode == 2:
@@ -56,11 +60,15 @@ def rs274(program, tools=TOOLS):
             for number, length, diameter in tools:
                 f.write(f"T{number} P{number} Z{length / 25.4:.10f} D{diameter / 25.4:.10f}\n")
         open(variables, "w").close()
-        done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out], capture_output=True, text=True, errors="replace",
-                              timeout=TIMEOUT, cwd=os.path.dirname(os.path.abspath(str(program))), env={**os.environ, "HOME": folder})  # it keeps a file there
+        done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out],
+                              capture_output=True, text=True, errors="replace",
+                              # It keeps a file there.
+                              timeout=TIMEOUT, cwd=os.path.dirname(os.path.abspath(str(program))),
+                              env={**os.environ, "HOME": folder})
         with open(out, errors="replace") as f:
             moves = canonical_moves(f)
-    return moves, "" if done.returncode == 0 else (done.stderr + done.stdout).replace("executing", "").strip() or f"exit {done.returncode}"
+    return (moves, "" if done.returncode == 0 else (done.stderr + done.stdout).replace("executing", "").strip()
+            or f"exit {done.returncode}")
 
 
 def turned(x, y, angle):
@@ -73,7 +81,8 @@ class Canon:
 
     def __init__(self):
         self.moves = []
-        self.unit, self.plane, self.feed, self.feed_degrees, self.per_turn, self.synchronous = 1.0, 0, 0.0, 0.0, False, None
+        self.unit, self.plane, self.feed, self.feed_degrees, self.per_turn, self.synchronous = (
+            1.0, 0, 0.0, 0.0, False, None)
         self.origin, self.axis_offset, self.angle, self.tool_offset = [0.0] * 6, [0.0] * 6, 0.0, (0.0, 0.0, 0.0)
         self.speed, self.direction, self.tool = 0.0, 0, 0
         self.last = (0.0,) * 6  # in program coordinates
@@ -91,7 +100,8 @@ class Canon:
         return tuple(t + o for t, o in zip(self.tip(values), (*self.tool_offset, 0, 0, 0)))
 
     def add(self, kind, *place, **more):
-        self.moves.append(Move(kind, *place, plane=self.plane, tool=self.tool, spindle=self.speed * self.direction, unit=self.unit, line=self.line,
+        self.moves.append(Move(kind, *place, plane=self.plane, tool=self.tool, spindle=self.speed * self.direction,
+                               unit=self.unit, line=self.line,
                                offset=self.tool_offset, **more))
 
     def arrive(self, program):
@@ -127,7 +137,8 @@ class Canon:
         rate = self.feed
         if self.synchronous is not None:
             rate = self.synchronous * self.unit * self.speed
-        elif all(abs(a - b) < 1e-4 * self.unit for a, b in zip(self.axes(program)[:3], self.at[:3])) and program[3:] != list(self.at[3:]):
+        elif (all(abs(a - b) < 1e-4 * self.unit for a, b in zip(self.axes(program)[:3], self.at[:3]))
+              and program[3:] != list(self.at[3:])):
             rate = self.feed_degrees * math.pi / 180
         if self.per_turn and self.synchronous is None:
             rate *= self.speed
@@ -141,7 +152,8 @@ class Canon:
         program[first], program[second], program[third] = n[0] * self.unit, n[1] * self.unit, n[5] * self.unit
         centre[first], centre[second], centre[third] = n[2] * self.unit, n[3] * self.unit, n[5] * self.unit
         middle = self.tip(centre)
-        self.add("arc", self.tip(program), centre=(middle[first], middle[second]), turns=int(n[4]), feed=self.feed * (self.speed if self.per_turn else 1))
+        self.add("arc", self.tip(program), centre=(middle[first], middle[second]), turns=int(n[4]),
+                 feed=self.feed * (self.speed if self.per_turn else 1))
         self.arrive(program)
 
     def set_mode(self, name, n, words):
@@ -214,12 +226,13 @@ def difference(a, b):
 def still(move, before):
     """Whether a move goes nowhere, as far as four decimals tell."""
     axes = lambda m: tuple(e + o for e, o in zip(m.end, (*m.offset, 0, 0, 0)))
-    return move.kind in ("rapid", "feed") and all(abs(a - b) < 2.5e-4 * max(move.unit, before.unit) for a, b in zip(axes(move), axes(before)))
+    return (move.kind in ("rapid", "feed")
+            and all(abs(a - b) < 2.5e-4 * max(move.unit, before.unit) for a, b in zip(axes(move), axes(before))))
 
 
 def compare(mine, theirs):
-    """"" where the moves are the same, else the first that is not. What takes no time or goes nowhere may be missing from either; a
-    spline of rs274's is all of our feeds of that line."""
+    """"" where the moves are the same, else the first that is not. What takes no time or goes nowhere may be missing
+    from either; a spline of rs274's is all of our feeds of that line."""
     real = lambda m: m.kind != "end" and not (m.kind == "dwell" and m.seconds == 0)
     mine, theirs = [m for m in mine if real(m)], [m for m in theirs if real(m)]
     last_mine = last_theirs = Move("rapid")

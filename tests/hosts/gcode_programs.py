@@ -13,16 +13,19 @@ def compensation(r):
     a, b, i, j, third = ("z", "x", "k", "i", "y") if lathe else ("x", "y", "i", "j", "z")
     radius = r.choice([0.5, 1, 2, 3])
     inverse = r.random() < 0.2
-    out = [f"g21 g90 f{r.choice([100, 333])}" + (" g93 f2" if inverse else ""), "g18" if lathe else "g17", "g0 x0 y0 z0"]
+    out = [f"g21 g90 f{r.choice([100, 333])}" + (" g93 f2" if inverse else ""), "g18" if lathe else "g17",
+           "g0 x0 y0 z0"]
     if r.random() < 0.2:
-        out.append(f"g10 l2 p1 x{number(r.uniform(-5, 5))} y{number(r.uniform(-5, 5))}" + ("" if lathe else f" r{r.choice([30, 45])}"))
+        out.append(f"g10 l2 p1 x{number(r.uniform(-5, 5))} y{number(r.uniform(-5, 5))}"
+                   + ("" if lathe else f" r{r.choice([30, 45])}"))
     x, y, angle = r.uniform(-20, 20), r.uniform(-20, 20), r.uniform(0, 2 * math.pi)
     feed = lambda: f" f{number(r.uniform(1, 5))}" if inverse else ""
     out += [f"g0 {a}{number(x)} {b}{number(y)}", f"{r.choice(['g41.1', 'g42.1'])} d{2 * radius}"]
     for k in range(r.randint(2, 9)):
         angle += r.choice([0, math.pi / 2, -math.pi / 2, r.uniform(-2.5, 2.5), r.uniform(-0.1, 0.1)])
         what = r.random()
-        if what < 0.55 or k == 0:  # entries along arcs are left to the unit tests: rs274 is micrometres off at an inner corner behind one
+        # Entries along arcs are left to the unit tests: rs274 is micrometres off at an inner corner behind one.
+        if what < 0.55 or k == 0:
             length = r.choice([5, 10, 20, r.uniform(3, 30)])
             x, y = x + length * math.cos(angle), y + length * math.sin(angle)
             line = ("g0" if r.random() < 0.05 else "g1") + f" {a}{number(x)} {b}{number(y)}"
@@ -32,11 +35,13 @@ def compensation(r):
                 line += f" a{number(r.uniform(-2, 2))}"
             out.append(line + feed())
         elif what < 0.93:
-            size, way, sweep = r.choice([2.5, 5, 10, r.uniform(1, 20)]), r.choice([1, -1]), r.choice([math.pi / 2, math.pi, r.uniform(0.2, 6)])
+            size, way, sweep = (r.choice([2.5, 5, 10, r.uniform(1, 20)]), r.choice([1, -1]),
+                                r.choice([math.pi / 2, math.pi, r.uniform(0.2, 6)]))
             cx, cy = x - way * size * math.sin(angle), y + way * size * math.cos(angle)
             end = math.atan2(y - cy, x - cx) + way * sweep
             nx, ny = cx + size * math.cos(end), cy + size * math.sin(end)
-            out.append(f"g{3 if way > 0 else 2} {a}{number(nx)} {b}{number(ny)} {i}{number(cx - x)} {j}{number(cy - y)}" + feed())
+            out.append(f"g{3 if way > 0 else 2} {a}{number(nx)} {b}{number(ny)} {i}{number(cx - x)} {j}{number(cy - y)}"
+                       + feed())
             x, y, angle = nx, ny, angle + way * sweep
         elif what < 0.97:
             out.append(f"g1 {third}{number(r.uniform(-3, 3))}" + feed())
@@ -47,8 +52,8 @@ def compensation(r):
 
 
 def cycles(r):
-    """G73 and G81 to G89 in all planes. Left out are what rs274 itself gets wrong or leaves open: G74 and G84 outside of G17 (it mixes
-    up the axes), G88 (it does not draw the tool out)."""
+    """G73 and G81 to G89 in all planes. Left out is what rs274 itself gets wrong or leaves open: G74 and G84 outside of
+    G17 (it mixes up the axes), G88 (it does not draw the tool out)."""
     plane = r.choice(["g17", "g18", "g19"])
     start = [r.randint(-5, 25) for _ in range(3)]
     start["g17 g18 g19".split().index(plane) * 2 % 3 - 1] = 20
@@ -64,15 +69,18 @@ def cycles(r):
         if r.random() < 0.2:
             out.append(r.choice(["g98", "g99", "g91", "g90", "g0 z20 x20 y20", "g80", "g1 x3", "g0 x25"]))
         words = {k: number(r.uniform(-5, 5)) for k in "xyz"}
-        words |= {"r": number(r.uniform(5, 9)), "p": str(r.choice([0, 0.5, 2])), "q": str(r.choice([0.3, 1, 2.5, 20])), "l": str(r.choice([1, 2, 3]))}
+        words |= {"r": number(r.uniform(5, 9)), "p": str(r.choice([0, 0.5, 2])), "q": str(r.choice([0.3, 1, 2.5, 20])),
+                  "l": str(r.choice([1, 2, 3]))}
         words |= {"i": "1", "j": ".5", "k": number(r.uniform(-5, 2))}
         code = r.choice([73, 81, 82, 83, 85, 86, 87, 89] + ([74, 84] if plane == "g17" else []))
-        letters = "xyzr" + ("p" if code in (82, 86, 89) or (code in (74, 84) and r.random() < 0.1) else "") + ("q" if code in (73, 83) else "")
+        letters = "xyzr" + ("p" if code in (82, 86, 89) or (code in (74, 84) and r.random() < 0.1) else "") + (
+            "q" if code in (73, 83) else "")
         letters += ("ijk" if code == 87 else "") + ("l" if r.random() < 0.3 and code not in (74, 84) else "")
         words = [k + words[k] for k in letters if k == third or k not in "xyz" or r.random() < 0.85]
         out.append(f"g{code} " + r.choice(["g98 ", "g99 ", ""]) + r.choice(["", "", "g91 ", "g90 "]) + " ".join(words))
         if r.random() < 0.4:
-            out.append(r.choice([f"x{number(r.uniform(-5, 5))}", "y2 x3", f"x1 z{number(r.uniform(-5, 0))}", "x1 r4", "y1 l2", "z-4"]))
+            out.append(r.choice([f"x{number(r.uniform(-5, 5))}", "y2 x3", f"x1 z{number(r.uniform(-5, 0))}", "x1 r4",
+                                 "y1 l2", "z-4"]))
     return out + ["g80", "g0 z30", "m2"]
 
 
@@ -100,11 +108,13 @@ def arcs(r):
         end = begin + way * r.choice([math.pi / 2, math.pi, 2 * math.pi, r.uniform(0.1, 6.2)])
         cx, cy = x - size * math.cos(begin), y - size * math.sin(begin)
         nx, ny = round(cx + size * math.cos(end), 4), round(cy + size * math.sin(end), 4)
-        line = f"g{3 if way > 0 else 2} {a}{number(nx - x if increments else nx)} {b}{number(ny - y if increments else ny)} "
+        line = (f"g{3 if way > 0 else 2} {a}{number(nx - x if increments else nx)} "
+                f"{b}{number(ny - y if increments else ny)} ")
         if r.random() < 0.3:
             line += f"r{number(size * r.choice([1, -1, 1.2]))}"
         else:
-            line += f"{i}{number(cx if absolute else cx - x)} {j}{number(cy if absolute else cy - y)}" + r.choice(["", "", f" p{r.randint(1, 4)}"])
+            line += f"{i}{number(cx if absolute else cx - x)} {j}{number(cy if absolute else cy - y)}" + r.choice(
+                ["", "", f" p{r.randint(1, 4)}"])
         if r.random() < 0.3:
             line += f" {third}{number(r.uniform(-3, 3))}"
         if r.random() < 0.3:
@@ -118,24 +128,30 @@ def arcs(r):
 
 
 def offsets(r):
-    """Coordinate systems and their rotation, G92, G52, tool lengths, G53, homes, M70. A tool change is followed by a move of all axes: until
-    then rs274, which has no machine, has a wrong idea of where it is."""
+    """Coordinate systems and their rotation, G92, G52, tool lengths, G53, homes, M70. After a tool change all axes
+    move: until then rs274, which has no machine, assumes a wrong place."""
     out = [r.choice(["g21 g90 f100", "g21 g90 f100", "g20\ng90 f10"]), "g0 x1 y2 z3 a0"]
     rotated = r.random() < 0.5
     v = lambda: number(r.uniform(-20, 20))
     axes = lambda: " ".join(k + v() for k in "xyza" if r.random() < 0.5) or "x1"
     for _ in range(r.randint(4, 14)):
         out.append(r.choice([
-            lambda: f"g10 l2 p{r.randint(0, 9)} " + axes() + (r.choice([" r30", " r-45.5", " r0", ""]) if rotated else ""),
+            lambda: f"g10 l2 p{r.randint(0, 9)} " + axes()
+            + (r.choice([" r30", " r-45.5", " r0", ""]) if rotated else ""),
             lambda: f"g10 l20 p{r.randint(0, 9)} " + axes(),
             lambda: r.choice(["g54", "g55", "g56", "g59", "g59.1", "g59.3", "g54", "g55"]),
             lambda: "g92 " + axes(), lambda: "g92.1", lambda: "g92.2", lambda: "g92.3", lambda: "g52 " + axes(),
             lambda: f"g43 h{r.randint(1, 3)}", lambda: "g49", lambda: f"g43.1 x{v()} z{v()}", lambda: "g43.2 h1",
-            lambda: f"g10 l1 p{r.randint(1, 3)} z{v()} x{v()}", lambda: f"g10 l10 p1 z{v()}", lambda: f"g10 l11 p2 z{v()} x{v()}",
-            lambda: f"g10 l10 p1 z{v()} x{v()} y{v()}", lambda: "g0 " + axes(), lambda: "g1 " + axes(), lambda: "g53 g0 " + axes(),
-            lambda: "g53 g1 " + axes(), lambda: "g28 " + axes(), lambda: "g30 " + axes(), lambda: "g28", lambda: "g28.1", lambda: "g30.1",
-            lambda: "g91", lambda: "g90", lambda: f"m6 t{r.randint(1, 3)}\ng90 g0 x1 y2 z3 a4", lambda: "g7", lambda: "g8",
-            lambda: f"f{number(r.uniform(5, 500))}", lambda: "m70", lambda: "m72", lambda: "g0 x#5420 y#5422", lambda: "g0 x[#<_x>+1]",
+            lambda: f"g10 l1 p{r.randint(1, 3)} z{v()} x{v()}", lambda: f"g10 l10 p1 z{v()}",
+            lambda: f"g10 l11 p2 z{v()} x{v()}",
+            lambda: f"g10 l10 p1 z{v()} x{v()} y{v()}", lambda: "g0 " + axes(), lambda: "g1 " + axes(),
+            lambda: "g53 g0 " + axes(),
+            lambda: "g53 g1 " + axes(), lambda: "g28 " + axes(), lambda: "g30 " + axes(), lambda: "g28",
+            lambda: "g28.1", lambda: "g30.1",
+            lambda: "g91", lambda: "g90", lambda: f"m6 t{r.randint(1, 3)}\ng90 g0 x1 y2 z3 a4", lambda: "g7",
+            lambda: "g8",
+            lambda: f"f{number(r.uniform(5, 500))}", lambda: "m70", lambda: "m72", lambda: "g0 x#5420 y#5422",
+            lambda: "g0 x[#<_x>+1]",
             lambda: "g0 x#<_abs_z>", lambda: "g0 y#5220",
         ])())
         if r.random() < 0.4:
@@ -146,22 +162,28 @@ def offsets(r):
 def expressions(r):
     def value(depth):
         if depth == 0 or r.random() < 0.2:
-            return r.choice(["#1", "#2", "#<a>", "#<_bb>", number(r.uniform(-9, 9)), str(r.randint(0, 5)), "#[1+1]", ".5", "-3", "+2."])
+            return r.choice(["#1", "#2", "#<a>", "#<_bb>", number(r.uniform(-9, 9)), str(r.randint(0, 5)), "#[1+1]",
+                             ".5", "-3", "+2."])
         kind = r.random()
-        operator = lambda: r.choice(["+", "-", "*", "+", "-", "*", "/", " eq ", " ne ", " gt ", " ge ", " lt ", " le ", " and ", " or ", " xor "])
+        operator = lambda: r.choice(["+", "-", "*", "+", "-", "*", "/", " eq ", " ne ", " gt ", " ge ", " lt ", " le ",
+                                     " and ", " or ", " xor "])
         if kind < 0.6:
             first = operator() + value(depth - 1) if r.random() < 0.8 else " mod " + number(r.uniform(-5, 5))
-            return "[" + value(depth - 1) + first + "".join(operator() + value(depth - 1) for chance in (0.5, 0.3) if r.random() < chance) + "]"
+            return ("[" + value(depth - 1) + first
+                    + "".join(operator() + value(depth - 1) for chance in (0.5, 0.3) if r.random() < chance) + "]")
         if kind < 0.66:
-            return "[abs[" + value(depth - 1) + "]**" + r.choice(["2", ".5", "3"]) + r.choice(["", "*2", "**2", "+1"]) + "]"
+            return ("[abs[" + value(depth - 1) + "]**" + r.choice(["2", ".5", "3"])
+                    + r.choice(["", "*2", "**2", "+1"]) + "]")
         if kind < 0.95:
-            function = r.choice(["abs[", "sin[", "cos[", "fix[", "fup[", "round[", "sqrt[abs[", "ln[1+abs[", "acos[sin[", "asin[cos[", "exp[sin[", "tan[sin["])
+            function = r.choice(["abs[", "sin[", "cos[", "fix[", "fup[", "round[", "sqrt[abs[", "ln[1+abs[",
+                                 "acos[sin[", "asin[cos[", "exp[sin[", "tan[sin["])
             return function + value(depth - 1) + "]" * function.count("[")
         return "atan[" + value(depth - 1) + "]/[" + value(depth - 1) + "]"
 
     out = ["g21 g90 g0", "f100", "#1=3 #2=-1.5 #<a>=2 #<_bb>=7"]
     for _ in range(6):
-        out.append(f"g0 x[[{value(3)}] mod 100] y[{value(2)} mod 100]" if r.random() < 0.5 else f"#{r.randint(3, 9)}={value(2)}")
+        out.append(f"g0 x[[{value(3)}] mod 100] y[{value(2)} mod 100]" if r.random() < 0.5
+                   else f"#{r.randint(3, 9)}={value(2)}")
         if r.random() < 0.3:
             out.append(f"#<a>=[1+abs[{value(1)}]]")
     return out + ["m2"]
@@ -179,7 +201,8 @@ def flow(r):
         for _ in range(r.randint(1, 3)):
             kind, o = r.random(), label()
             if depth == 0 or kind < 0.35:
-                out.append(r.choice(["g1 x#1 y#2", "g0 z#3", "#2=[#2+1]", "g91 g1 x1 g90", "x[#1+#2] a#3", "#3=[#3*.5+#1]", "#1=[#1+1]"]))
+                out.append(r.choice(["g1 x#1 y#2", "g0 z#3", "#2=[#2+1]", "g91 g1 x1 g90", "x[#1+#2] a#3",
+                                     "#3=[#3*.5+#1]", "#1=[#1+1]"]))
             elif kind < 0.5:
                 out.append(f"o{o} repeat [{r.randint(0, 3)}]")
                 body(depth - 1, loops)
@@ -202,9 +225,11 @@ def flow(r):
                 out.append(f"o{o} endif")
             elif kind < 0.93 and loops:
                 inner = loops[-1]
-                out.extend([f"o{o} if [#<_i{inner}> eq {r.randint(0, 3)}]", f"o{inner} {r.choice(['break', 'continue'])}", f"o{o} endif"])
+                out.extend([f"o{o} if [#<_i{inner}> eq {r.randint(0, 3)}]",
+                            f"o{inner} {r.choice(['break', 'continue'])}", f"o{o} endif"])
             elif subroutines:
-                out.append(f"o{r.choice(subroutines)} call " + "".join(f"[{r.choice(['#1', '2', '[#2+1]'])}]" for _ in range(r.randint(0, 3))))
+                out.append(f"o{r.choice(subroutines)} call "
+                           + "".join(f"[{r.choice(['#1', '2', '[#2+1]'])}]" for _ in range(r.randint(0, 3))))
                 out.append("g0 z[#<_value>]")
 
     for _ in range(r.randint(0, 3)):

@@ -1,4 +1,5 @@
-"""Our reader of G-code against LinuxCNC's own, rs274: move for move, over its examples, real programs and random ones."""
+"""Our reader of G-code against LinuxCNC's own, rs274: move for move, over its examples, real programs and random
+ones."""
 
 import glob
 import os
@@ -14,7 +15,8 @@ from conftest import ROOT
 from gcode_moves import TOOLS, compare, ours, rs274
 
 EXAMPLES = sorted(glob.glob("/usr/share/doc/linuxcnc/examples/nc_files/**/*.ngc", recursive=True))
-REAL = sorted(str(p) for p in (ROOT.parent / "shared" / "data" / "gcode").iterdir() if p.suffix in (".ngc", ".nc", ".gcode"))
+REAL = sorted(str(p) for p in (ROOT.parent / "shared" / "data" / "gcode").iterdir()
+              if p.suffix in (".ngc", ".nc", ".gcode"))
 MANY_TOOLS = tuple((n, float(n), 0.1) for n in range(1, 100))
 NO_END = "File ended with no percent sign or program end"
 # Cycles G70, G71 and G72 of lathes are not read: a clear error, which a test below wants.
@@ -22,8 +24,9 @@ LATHE_CYCLES = ("lathe_g70_71_demo.ngc", "lathe_g7x_face_boring.ngc", "lathe_g7x
 
 
 def prepared(path, folder):
-    """A copy that rs274 can read, beside links to the files around it, so that subroutines are found. M428 to M430 are taken out. A tool
-    change and its length offset get lines of their own: rs274 alone, without a machine, has a wrong idea of where it is between them."""
+    """Makes a copy that rs274 can read, beside links to the files around it, so that subroutines are found. M428 to
+    M430 are taken out. A tool change and its length offset get lines of their own: between them rs274 alone, without a
+    machine, assumes a wrong place."""
     with open(path, errors="surrogateescape") as f:
         text = f.read()
     text = re.sub(r"(?im)^([^(;\n]*)M4(28|29|30)\b", r"\1", text)
@@ -37,7 +40,8 @@ def prepared(path, folder):
 
 
 def upto_probing(mine, theirs):
-    """rs274 lets probes touch at the end of their way and draws back; ours lets them touch nothing: they agree up to the first."""
+    """rs274 lets probes touch at the end of their way and draws back; ours lets them touch nothing. They agree up to
+    the first probe."""
     end = next((k for k, m in enumerate(theirs) if "PROBE" in m.line), None)
     return (mine, theirs) if end is None else (mine[:end], theirs[:end])
 
@@ -89,8 +93,10 @@ def test_real_programs(path, tmp_path):
 
 
 def test_counts_of_moves():
-    count = lambda name: sum(m.kind in ("rapid", "feed", "arc") for m in ours(next(p for p in REAL if name in p), MANY_TOOLS)[0])
-    assert [count("impeller"), count("boat-xyzac"), count("boat-xyzbc")] == [4492, 1832, 1821]  # rs274 counts one more for a G0 without words
+    count = lambda name: sum(m.kind in ("rapid", "feed", "arc")
+                             for m in ours(next(p for p in REAL if name in p), MANY_TOOLS)[0])
+    # rs274 counts one more for a G0 without words.
+    assert [count("impeller"), count("boat-xyzac"), count("boat-xyzbc")] == [4492, 1832, 1821]
 
 
 @pytest.mark.parametrize("kind", gcode_programs.KINDS)

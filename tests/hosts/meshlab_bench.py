@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""Fieldfab's Remesh against MeshLab's own Uniform Mesh Resampling, at the same cell size, in the same meshlabserver, one after the other:
-prints the table of docs/meshlab.md. Run it as PYTHONPATH=build/release/python /usr/bin/python3 tests/hosts/meshlab_bench.py"""
+"""Fieldfab's Remesh against MeshLab's own Uniform Mesh Resampling, with the same size of cells, in the same
+meshlabserver, one after the other. Prints the table of docs/meshlab.md. Run it as PYTHONPATH=build/release/python
+/usr/bin/python3 tests/hosts/meshlab_bench.py"""
 
 import pathlib
 import sys
@@ -26,7 +27,8 @@ def on_surface(mesh, count=200_000, seed=1):
     chosen = random.choice(len(triangles), count, p=area / area.sum())
     u, v = random.random((2, count))
     u, v = np.where(u + v > 1, 1 - u, u)[:, None], np.where(u + v > 1, 1 - v, v)[:, None]
-    return np.concatenate([a[chosen] + u * (b - a)[chosen] + v * (c - a)[chosen], vertices[np.unique(triangles)]]).astype(np.float32)
+    return np.concatenate([a[chosen] + u * (b - a)[chosen] + v * (c - a)[chosen],
+                           vertices[np.unique(triangles)]]).astype(np.float32)
 
 
 def away(places, mesh):
@@ -54,7 +56,8 @@ def measured(folder, path, step, source):
     out.unlink(missing_ok=True)
     serve(folder, [path], [step], out)
     if not out.exists():
-        reason = next((line.split(": Assertion")[1].split("'")[0].strip(" `") for line in said.text.splitlines() if "Assertion" in line), "no result")
+        reason = next((line.split(": Assertion")[1].split("'")[0].strip(" `") for line in said.text.splitlines()
+                       if "Assertion" in line), "no result")
         return None, f"stops: assertion {reason}"
     mesh = fieldfab.Mesh.load(out)
     verdict = fieldfab.inspect(mesh)
@@ -63,12 +66,15 @@ def measured(folder, path, step, source):
 
 
 def main():
-    print("| mesh | cell, mm | by | time | triangles | input to result, mm (mean / largest) | result to input, mm | closed, manifold | self-intersections |")
+    print("| mesh | cell, mm | by | time | triangles | input to result, mm (mean / largest) | result to input, "
+          "mm | closed, manifold | self-intersections |")
     print("|---|---|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        meshes = {"cube": (write_ply(folder / "cube.ply", *cube()), 0.35), "sphere with holes": (write_ply(folder / "holes.ply", *with_holes(sphere(60))), 0.35),
-                  "figure eight, crosses itself": (write_ply(folder / "eight.ply", *figure_eight()), 0.35), "thin plates": (write_ply(folder / "plates.ply", *plates()), 0.4),
+        meshes = {"cube": (write_ply(folder / "cube.ply", *cube()), 0.35),
+                  "sphere with holes": (write_ply(folder / "holes.ply", *with_holes(sphere(60))), 0.35),
+                  "figure eight, crosses itself": (write_ply(folder / "eight.ply", *figure_eight()), 0.35),
+                  "thin plates": (write_ply(folder / "plates.ply", *plates()), 0.4),
                   "scan": (scan(folder / "scan.ply"), 2.0)}
         for what, (path, cell) in meshes.items():
             source = fieldfab.Mesh.load(path)
@@ -78,7 +84,8 @@ def main():
             label = f"{what}, {len(source.triangles)} triangles"
             for by, row, more in (("Fieldfab", our_row, ratio), ("MeshLab", their_row, "")):
                 cells = [row, *[""] * 5] if isinstance(row, str) else [row[0] + more, *map(str, row[1:])]
-                print(f"| {label if by == 'Fieldfab' else ''} | {cell if by == 'Fieldfab' else ''} | {by} | " + " | ".join(cells) + " |", flush=True)
+                print(f"| {label if by == 'Fieldfab' else ''} | {cell if by == 'Fieldfab' else ''} | {by} | "
+                      + " | ".join(cells) + " |", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""MeshLab with and without a window, for tests and figures: a home folder of its own, scripts, and meshes to give it."""
+"""MeshLab with and without a window, for tests and figures: a home folder of its own, scripts, and meshes for it."""
 
 import os
 import pathlib
@@ -22,24 +22,30 @@ VOLUME = "Fieldfab: Volume import with threshold"
 DEVIATION = "Fieldfab: Deviation from a layer or f-rep"
 REPORT = "Fieldfab: Validity report"
 
-# Every parameter of each filter, in its order: Debian's meshlabserver wants a script to have all of them (it stops at an assertion otherwise).
+# Every parameter of each filter, in its order: Debian's meshlabserver stops at an assertion where a script lacks one.
 PARAMETERS = {
     REMESH: {"Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0), "GapWidth": ("AbsPerc", 0)},
     OFFSET: {"Distance": ("AbsPerc", 1), "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
-    SHELL: {"Wall": ("AbsPerc", 1), "Side": ("Enum", 0), "DrainHoles": ("Int", 0), "HoleDiameter": ("AbsPerc", 2), "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
-    BOOLEAN: {"Operation": ("Enum", 0), "First": ("Mesh", 0), "Second": ("Mesh", 1), "Radius": ("AbsPerc", 0), "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
-    LATTICE: {"Lattice": ("Enum", 0), "Period": ("AbsPerc", 10), "Strut": ("AbsPerc", 1), "Wall": ("AbsPerc", 1), "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
+    SHELL: {"Wall": ("AbsPerc", 1), "Side": ("Enum", 0), "DrainHoles": ("Int", 0), "HoleDiameter": ("AbsPerc", 2),
+            "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
+    BOOLEAN: {"Operation": ("Enum", 0), "First": ("Mesh", 0), "Second": ("Mesh", 1), "Radius": ("AbsPerc", 0),
+              "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
+    LATTICE: {"Lattice": ("Enum", 0), "Period": ("AbsPerc", 10), "Strut": ("AbsPerc", 1), "Wall": ("AbsPerc", 1),
+              "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
     FREP: {"Formula": ("String", "sphere(10)"), "Bounds": ("String", ""), "Voxel": ("Float", 0)},
-    VOLUME: {"File": ("OpenFile", ""), "Threshold": ("String", "automatic"), "Below": ("Bool", False), "Denoise": ("String", "none"), "KeepLargest": ("Bool", False), "Voxel": ("Float", 0)},
+    VOLUME: {"File": ("OpenFile", ""), "Threshold": ("String", "automatic"), "Below": ("Bool", False),
+             "Denoise": ("String", "none"), "KeepLargest": ("Bool", False), "Voxel": ("Float", 0)},
     DEVIATION: {"Reference": ("Enum", 0), "Layer": ("Mesh", 0), "Formula": ("String", ""), "Range": ("AbsPerc", 0)},
     REPORT: {},
-    "Uniform Mesh Resampling": {"CellSize": ("AbsPerc", 1), "Offset": ("AbsPerc", 0), "mergeCloseVert": ("Bool", True), "discretize": ("Bool", False),
+    "Uniform Mesh Resampling": {"CellSize": ("AbsPerc", 1), "Offset": ("AbsPerc", 0), "mergeCloseVert": ("Bool", True),
+                                "discretize": ("Bool", False),
                                 "multisample": ("Bool", False), "absDist": ("Bool", False)},
 }
 
 
 def script(*steps):
-    """The text of an .mlx file: steps are names of filters, or pairs of a name and the parameters that differ from PARAMETERS."""
+    """Returns the text of an .mlx file. Steps are names of filters, or pairs of a name and the parameters that differ
+    from PARAMETERS."""
     lines = ["<!DOCTYPE FilterScript>", "<FilterScript>"]
     for step in steps:
         name, given = (step, None) if isinstance(step, str) else step
@@ -49,7 +55,8 @@ def script(*steps):
             for key, (kind, default) in PARAMETERS[name].items():
                 value = given.get(key, default)
                 text = xml.sax.saxutils.quoteattr(str(value).lower() if kind == "Bool" else str(value))
-                more = {"AbsPerc": ' min="0" max="1000"', "Enum": ' enum_cardinality="1" enum_val0="0"', "OpenFile": ' exts_cardinality="0"'}.get(kind, "")
+                more = {"AbsPerc": ' min="0" max="1000"', "Enum": ' enum_cardinality="1" enum_val0="0"',
+                        "OpenFile": ' exts_cardinality="0"'}.get(kind, "")
                 lines.append(f'  <Param type="Rich{kind}" name="{key}" value={text}{more}/>')
         lines.append(" </filter>")
     return "\n".join([*lines, "</FilterScript>"])
@@ -69,7 +76,8 @@ class Said:
 
 
 def serve(folder, meshes, steps, output=None, screen=None, timeout=300, mask=()):
-    """Runs meshlabserver over a script; what it said. `output` is the file of the last layer, or a list of them, for each layer."""
+    """Runs meshlabserver over a script and returns its output. `output`: the file of the last layer, or a list with a
+    file for each layer."""
     folder = pathlib.Path(folder)
     arguments = [str(SERVER)]
     for mesh in meshes:
@@ -84,7 +92,8 @@ def serve(folder, meshes, steps, output=None, screen=None, timeout=300, mask=())
         arguments += ["-s", str(folder / "script.mlx")]
     if screen is None:
         arguments = ["xvfb-run", "-a", *arguments]
-    run = subprocess.run(arguments, env=environment(folder, **({"DISPLAY": screen} if screen else {})), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=timeout)
+    run = subprocess.run(arguments, env=environment(folder, **({"DISPLAY": screen} if screen else {})), cwd=folder,
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=timeout)
     return Said(run.returncode, run.stdout.decode(errors="replace"))
 
 
@@ -93,8 +102,9 @@ def write_ply(path, vertices, triangles):
     vertices, triangles = np.asarray(vertices, "<f4"), np.asarray(triangles, "<i4").reshape(-1, 3)
     rows = np.zeros(len(triangles), [("count", "u1"), ("corners", "<i4", 3)])
     rows["count"], rows["corners"] = 3, triangles
-    head = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\nproperty float x\nproperty float y\nproperty float z\n" \
-           f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
+    head = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\n"
+            "property float x\nproperty float y\nproperty float z\n"
+            f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
     pathlib.Path(path).write_bytes(head.encode() + vertices.tobytes() + rows.tobytes())
     return pathlib.Path(path)
 
@@ -117,14 +127,16 @@ def cube(side=20.0, at=(0, 0, 0)):
 def sphere(rings=48, radius=20.0, at=(0, 0, 0)):
     """Between the poles rings of quadrilaterals, each of them two triangles."""
     theta, phi = np.linspace(0, np.pi, rings + 1)[1:-1], np.arange(2 * rings) * np.pi / rings
-    grid = np.stack([np.outer(np.sin(theta), np.cos(phi)), np.outer(np.sin(theta), np.sin(phi)), np.outer(np.cos(theta), np.ones_like(phi))], -1).reshape(-1, 3)
+    grid = np.stack([np.outer(np.sin(theta), np.cos(phi)), np.outer(np.sin(theta), np.sin(phi)),
+                     np.outer(np.cos(theta), np.ones_like(phi))], -1).reshape(-1, 3)
     vertices = np.concatenate([[[0, 0, 1]], grid, [[0, 0, -1]]]) * radius + np.asarray(at)
     around, triangles = 2 * rings, []
     ring = lambda i, j: 1 + i * around + j % around
     for j in range(around):
         triangles += [(0, ring(0, j), ring(0, j + 1)), (len(vertices) - 1, ring(rings - 2, j + 1), ring(rings - 2, j))]
         for i in range(rings - 2):
-            triangles += [(ring(i, j), ring(i + 1, j), ring(i + 1, j + 1)), (ring(i, j), ring(i + 1, j + 1), ring(i, j + 1))]
+            triangles += [(ring(i, j), ring(i + 1, j), ring(i + 1, j + 1)),
+                          (ring(i, j), ring(i + 1, j + 1), ring(i, j + 1))]
     return vertices, np.array(triangles)
 
 
@@ -145,12 +157,16 @@ def figure_eight(radius=20.0, tube=5.0, around=240, across=48):
     along = np.stack([np.cos(t), np.cos(2 * t), 0 * t], -1)
     along /= np.linalg.norm(along, axis=1)[:, None]
     side = np.stack([-along[:, 1], along[:, 0], 0 * t], -1)
-    vertices = centre[:, None] + tube * (np.cos(p)[None, :, None] * side[:, None] + np.sin(p)[None, :, None] * np.array([0, 0, 1.0]))
+    vertices = centre[:, None] + tube * (np.cos(p)[None, :, None] * side[:, None]
+                                         + np.sin(p)[None, :, None] * np.array([0, 0, 1.0]))
     index = lambda i, j: (i % around) * across + j % across
     triangles = [t for i in range(around) for j in range(across)
-                 for t in ((index(i, j), index(i + 1, j), index(i + 1, j + 1)), (index(i, j), index(i + 1, j + 1), index(i, j + 1)))]
+                 for t in ((index(i, j), index(i + 1, j), index(i + 1, j + 1)),
+                           (index(i, j), index(i + 1, j + 1), index(i, j + 1)))]
     triangles = np.array(triangles)
-    return vertices.reshape(-1, 3), triangles if fieldfab.Mesh(np.float32(vertices.reshape(-1, 3)), np.uint32(triangles)).volume > 0 else triangles[:, ::-1]
+    vertices = vertices.reshape(-1, 3)
+    outward = fieldfab.Mesh(np.float32(vertices), np.uint32(triangles)).volume > 0
+    return vertices, triangles if outward else triangles[:, ::-1]
 
 
 def joined(*meshes):
@@ -188,7 +204,8 @@ class Window:
     def __init__(self, home, screen, *files):
         self.home, self.env = pathlib.Path(home), environment(home, DISPLAY=screen)
         self.log = self.home / "window.log"
-        self.process = subprocess.Popen([str(WINDOW), *map(str, files)], env=self.env, cwd=home, stdout=open(self.log, "w"), stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+        self.process = subprocess.Popen([str(WINDOW), *map(str, files)], env=self.env, cwd=home,
+                                        stdout=open(self.log, "w"), stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
         self.wait_for("All files opened" if files else "gdp files", 90)
         time.sleep(1.5)
         self.window = max((self._width(each), each) for each in self._windows("MeshLab"))[1]
@@ -196,13 +213,15 @@ class Window:
         self.focus(self.window)
 
     def _do(self, *arguments):
-        return subprocess.run(["xdotool", *map(str, arguments)], env=self.env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60).stdout.decode()
+        return subprocess.run(["xdotool", *map(str, arguments)], env=self.env, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, timeout=60).stdout.decode()
 
     def _windows(self, name):
         return self._do("search", "--onlyvisible", "--name", name).split()
 
     def _width(self, window):
-        return int(next(line for line in self._do("getwindowgeometry", "--shell", window).splitlines() if line.startswith("WIDTH")).split("=")[1])
+        return int(next(line for line in self._do("getwindowgeometry", "--shell", window).splitlines()
+                        if line.startswith("WIDTH")).split("=")[1])
 
     def focus(self, window):
         self._do("windowfocus", "--sync", window)

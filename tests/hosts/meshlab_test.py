@@ -7,7 +7,8 @@ import pathlib
 import numpy as np
 import pytest
 from conftest import BUILD, COMMAND, DATA
-from meshlab_host import (BOOLEAN, DEVIATION, FREP, LATTICE, OFFSET, PARAMETERS, REMESH, REPORT, SERVER, SHELL, VOLUME, cube, figure_eight, joined, serve, sphere, verdict, with_holes,
+from meshlab_host import (BOOLEAN, DEVIATION, FREP, LATTICE, OFFSET, PARAMETERS, REMESH, REPORT, SERVER, SHELL, VOLUME,
+                          cube, figure_eight, joined, serve, sphere, verdict, with_holes,
                           write_ply)
 
 import fieldfab
@@ -24,7 +25,8 @@ def ball_volume(radius):
 
 def result_of(tmp_path, mesh, *steps, more=(), close=True):
     """The last layer after the steps; CGAL finds it valid."""
-    inputs = [write_ply(tmp_path / f"in{n}.ply", *each) for n, each in enumerate([mesh, *more])] if mesh is not None else []
+    inputs = ([write_ply(tmp_path / f"in{n}.ply", *each) for n, each in enumerate([mesh, *more])]
+              if mesh is not None else [])
     said = serve(tmp_path, inputs, steps, tmp_path / "out.ply")
     assert (tmp_path / "out.ply").exists(), said.text
     found, result = verdict(tmp_path / "out.ply")
@@ -34,7 +36,8 @@ def result_of(tmp_path, mesh, *steps, more=(), close=True):
 
 
 def test_every_filter_runs_from_a_script(tmp_path):
-    filters = [(name, {"Strut": 4} if name == LATTICE else {}) for name in PARAMETERS if name.startswith("Fieldfab") and name != VOLUME]
+    filters = [(name, {"Strut": 4} if name == LATTICE else {})
+               for name in PARAMETERS if name.startswith("Fieldfab") and name != VOLUME]
     inputs = [write_ply(tmp_path / "a.ply", *sphere(24)), write_ply(tmp_path / "b.ply", *sphere(24, at=(25, 0, 0)))]
     for name in filters:
         said = serve(tmp_path, inputs, [name], tmp_path / "out.ply")
@@ -51,8 +54,10 @@ def test_remesh_makes_a_valid_solid_of_any_soup(tmp_path, kind):
         "holes": (with_holes(ball), ball_volume(20)),
         "inverted": ((vertices, triangles[:, ::-1]), ball_volume(20)),
         # Two balls, 20 apart, the second inside out: what they share is wound around 1 - 1 = 0 times.
-        "overlapping": (joined(ball, sphere(48, at=(20, 0, 0))), 2 * ball_volume(20) - math.pi / 12 * (4 * 20 + 20) * (2 * 20 - 20) ** 2),
-        "split": ((vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)), ball_volume(20)),  # no vertex is shared
+        "overlapping": (joined(ball, sphere(48, at=(20, 0, 0))),
+                        2 * ball_volume(20) - math.pi / 12 * (4 * 20 + 20) * (2 * 20 - 20) ** 2),
+        # No vertex is shared.
+        "split": ((vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)), ball_volume(20)),
     }[kind]
     result, _, said = result_of(tmp_path, soup, (REMESH, {"Voxel": 0.5}))
     assert result.volume == pytest.approx(expected, rel=0.015), said.text
@@ -93,7 +98,8 @@ def test_offset_of_a_cube_is_rounded(tmp_path):
 
 def test_a_cube_out_by_1_and_in_by_1_is_a_cube_within_a_voxel(tmp_path):
     voxel = 0.5
-    result, _, _ = result_of(tmp_path, cube(20), (OFFSET, {"Distance": 1, "Voxel": voxel}), (OFFSET, {"Distance": -1, "Voxel": voxel}))
+    result, _, _ = result_of(tmp_path, cube(20), (OFFSET, {"Distance": 1, "Voxel": voxel}),
+                             (OFFSET, {"Distance": -1, "Voxel": voxel}))
     box = fieldfab.Mesh(np.float32(cube(20)[0]), np.uint32(cube(20)[1])).solid()
     away = np.abs(box.surface_distances(result.vertices))
     corners = [np.linalg.norm(result.vertices - corner, axis=1).min() for corner in cube(20)[0]]
@@ -117,9 +123,11 @@ def test_drain_holes_make_one_surface_with_handles(tmp_path):
     """One hole: a sphere (Euler characteristic 2). Two: a torus (0). Three: a double torus (-2)."""
     closed, _, _ = result_of(tmp_path, sphere(48), (SHELL, {"Wall": 2, "Voxel": 0.7}))
     for count in (1, 2, 3):
-        result, found, said = result_of(tmp_path, sphere(48), (SHELL, {"Wall": 2, "DrainHoles": count, "HoleDiameter": 4, "Voxel": 0.7}))
+        result, found, said = result_of(tmp_path, sphere(48),
+                                        (SHELL, {"Wall": 2, "DrainHoles": count, "HoleDiameter": 4, "Voxel": 0.7}))
         assert found.components == 1 and euler(result) == 4 - 2 * count, said.text
-        rod = 2 * math.pi / 3 * ((20**3 - (20**2 - 2**2) ** 1.5) - (18**3 - (18**2 - 2**2) ** 1.5))  # between two spheres, along their axis
+        # Between two spheres, along their axis.
+        rod = 2 * math.pi / 3 * ((20**3 - (20**2 - 2**2) ** 1.5) - (18**3 - (18**2 - 2**2) ** 1.5))
         if count < 3:  # the third is where the wall is askew
             assert closed.volume - result.volume == pytest.approx(count * rod, rel=0.2)
 
@@ -138,13 +146,15 @@ def lens(radius, apart):
 @pytest.mark.parametrize("operation", [0, 1, 2])
 def test_boolean_of_two_balls(tmp_path, operation):
     expected = [2 * ball_volume(20) - lens(20, 25), lens(20, 25), ball_volume(20) - lens(20, 25)][operation]
-    result, _, _ = result_of(tmp_path, sphere(64), (BOOLEAN, {"Operation": operation, "Voxel": 0.6}), more=[sphere(64, at=(25, 0, 0))])
+    result, _, _ = result_of(tmp_path, sphere(64), (BOOLEAN, {"Operation": operation, "Voxel": 0.6}),
+                             more=[sphere(64, at=(25, 0, 0))])
     assert result.volume == pytest.approx(expected, rel=0.015)
 
 
 @pytest.mark.parametrize("operation, expected", [(0, 2 * 8000 - 4000), (1, 4000), (2, 4000)])
 def test_boolean_of_cubes_that_share_planes(tmp_path, operation, expected):
-    result, _, _ = result_of(tmp_path, cube(20), (BOOLEAN, {"Operation": operation, "Voxel": 0.6}), more=[cube(20, at=(10, 0, 0))])
+    result, _, _ = result_of(tmp_path, cube(20), (BOOLEAN, {"Operation": operation, "Voxel": 0.6}),
+                             more=[cube(20, at=(10, 0, 0))])
     assert result.volume == pytest.approx(expected, rel=1e-3)
 
 
@@ -152,7 +162,8 @@ def test_a_smooth_union_is_larger_and_a_smooth_intersection_smaller(tmp_path):
     volumes = {}
     for radius in (0, 4):
         for operation in (0, 1, 2):
-            result, found, _ = result_of(tmp_path, sphere(48), (BOOLEAN, {"Operation": operation, "Radius": radius, "Voxel": 0.8}), more=[sphere(48, at=(25, 0, 0))])
+            result, found, _ = result_of(tmp_path, sphere(48), (
+                BOOLEAN, {"Operation": operation, "Radius": radius, "Voxel": 0.8}), more=[sphere(48, at=(25, 0, 0))])
             volumes[operation, radius] = result.volume
             assert found.components == 1
     assert volumes[0, 4] > 1.002 * volumes[0, 0]
@@ -163,17 +174,21 @@ def test_a_smooth_union_is_larger_and_a_smooth_intersection_smaller(tmp_path):
 @pytest.mark.parametrize("lattice", [0, 1, 2])
 def test_lattice_infill(tmp_path, lattice):
     """A wall, and within it less than everything and more than nothing; the bare lattice is all of the cube's share."""
-    result, _, _ = result_of(tmp_path, cube(20), (LATTICE, {"Lattice": lattice, "Period": 8, "Strut": 1, "Wall": 1.5, "Voxel": 0.5}))
+    result, _, _ = result_of(tmp_path, cube(20),
+                             (LATTICE, {"Lattice": lattice, "Period": 8, "Strut": 1, "Wall": 1.5, "Voxel": 0.5}))
     assert 20**3 - 17**3 < result.volume < 20**3 - 0.5 * 17**3
-    bare, _, _ = result_of(tmp_path, cube(20), (LATTICE, {"Lattice": lattice, "Period": 8, "Strut": 1, "Wall": 0, "Voxel": 0.5}))
+    bare, _, _ = result_of(tmp_path, cube(20),
+                           (LATTICE, {"Lattice": lattice, "Period": 8, "Strut": 1, "Wall": 0, "Voxel": 0.5}))
     assert bare.volume == pytest.approx((result.volume - (20**3 - 17**3)) * (20 / 17) ** 3, rel=0.15)
 
 
 def test_a_solid_from_a_formula(tmp_path):
-    result, _, _ = result_of(tmp_path, None, (FREP, {"Formula": "difference(sphere(10), cylinder(4, 40))", "Voxel": 0.3}))
+    result, _, _ = result_of(tmp_path, None,
+                             (FREP, {"Formula": "difference(sphere(10), cylinder(4, 40))", "Voxel": 0.3}))
     # A ball with a bore: what is left is a ball whose diameter is the bore's length (napkin ring).
     assert result.volume == pytest.approx(math.pi / 6 * (2 * math.sqrt(100 - 16)) ** 3, rel=0.003)
-    result, _, _ = result_of(tmp_path, None, (FREP, {"Formula": "abs(x) - 3", "Bounds": "-5,-5,-5,5,5,5", "Voxel": 0.5}))
+    result, _, _ = result_of(tmp_path, None,
+                             (FREP, {"Formula": "abs(x) - 3", "Bounds": "-5,-5,-5,5,5,5", "Voxel": 0.5}))
     assert result.volume == pytest.approx(600, rel=1e-4)
 
 
@@ -194,7 +209,8 @@ def test_parts_become_layers_with_names_and_colours(tmp_path):
         found, mesh = verdict(path)
         assert found.valid and mesh.volume == pytest.approx(volumes[path.stem], rel=0.01), said.text
         if path.stem in PART_COLOURS:
-            assert {(int(row["red"]), int(row["green"]), int(row["blue"])) for row in read_quality(path)} == {PART_COLOURS[path.stem]}
+            assert {(int(row["red"]), int(row["green"]), int(row["blue"]))
+                    for row in read_quality(path)} == {PART_COLOURS[path.stem]}
         assert f"LOG: 2 {path.stem}: " in said
     assert "LOG: 2 none: is empty" in said
 
@@ -203,7 +219,8 @@ def test_a_file_of_parts_is_one_layer_in_their_colours(tmp_path):
     (tmp_path / "parts.frep").write_text(PARTS)
     said = serve(tmp_path, [tmp_path / "parts.frep"], [], tmp_path / "out.ply", mask=("-m", "vc"))
     found, mesh = verdict(tmp_path / "out.ply")
-    assert found.valid and found.components == 3 and mesh.volume == pytest.approx(ball_volume(4) + 216 + ball_volume(1), rel=0.01), said.text
+    assert (found.valid and found.components == 3
+            and mesh.volume == pytest.approx(ball_volume(4) + 216 + ball_volume(1), rel=0.01)), said.text
     rows = read_quality(tmp_path / "out.ply")
     for name, side in (("left", rows["x"] < -1.5), ("right", rows["x"] > 1.5)):
         assert {(int(row["red"]), int(row["green"]), int(row["blue"])) for row in rows[side]} == {PART_COLOURS[name]}
@@ -212,9 +229,11 @@ def test_a_file_of_parts_is_one_layer_in_their_colours(tmp_path):
 def test_the_log_tells_how_certain_a_mesh_is(tmp_path):
     box = result_of(tmp_path, None, (FREP, {"Formula": "box(10, 10, 10)", "Voxel": 0.5}))[2]
     assert "the mesh is certain" in box, box.text
-    touching = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"  # no size of cells tells balls that touch from balls that do not
+    # No size of cells tells balls that touch from balls that do not.
+    touching = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"
     balls = serve(tmp_path, [], [(FREP, {"Formula": touching, "Voxel": 0.25})], tmp_path / "balls.ply")
-    assert "the mesh is not certain at 1 place, the largest " in balls and "the mesh is certain" not in balls, balls.text
+    assert "the mesh is not certain at 1 place, the largest " in balls and "the mesh is certain" not in balls, (
+        balls.text)
     cut = result_of(tmp_path, sphere(48), (OFFSET, {"Distance": 1, "Voxel": 1}))[2]
     assert cut.text.count("LOG: 2 the mesh is ") == 1, cut.text
 
@@ -226,8 +245,9 @@ def ball_volume_file(folder):
     distance = 12 - np.sqrt(at[:, None, None] ** 2 + at[None, :, None] ** 2 + at[None, None, :] ** 2)
     densities = (1000 / (1 + np.exp(-distance / 0.8))).astype("<f4")
     path = pathlib.Path(folder) / "ball.nrrd"
-    path.write_bytes((f"NRRD0004\ntype: float\ndimension: 3\nsizes: {size} {size} {size}\nspacings: {spacing} {spacing} {spacing}\n"
-                      "endian: little\nencoding: raw\n\n").encode() + densities.tobytes())
+    path.write_bytes(
+        (f"NRRD0004\ntype: float\ndimension: 3\nsizes: {size} {size} {size}\nspacings: {spacing} {spacing} {spacing}\n"
+         "endian: little\nencoding: raw\n\n").encode() + densities.tobytes())
     return path
 
 
@@ -236,7 +256,8 @@ def test_a_volume_by_its_threshold(tmp_path):
     result, _, said = result_of(tmp_path, None, (VOLUME, {"File": path}))
     assert "threshold" in said
     assert result.volume == pytest.approx(ball_volume(12), rel=0.01)
-    inner, _, _ = result_of(tmp_path, None, (VOLUME, {"File": path, "Threshold": 1000 / (1 + math.exp(-0.75))}))  # where the distance is 0.6 inside
+    # The threshold where the distance is 0.6 inside.
+    inner, _, _ = result_of(tmp_path, None, (VOLUME, {"File": path, "Threshold": 1000 / (1 + math.exp(-0.75))}))
     assert inner.volume == pytest.approx(ball_volume(12 - 0.6), rel=0.01)
 
 
@@ -244,16 +265,22 @@ def read_quality(path):
     head, body = pathlib.Path(path).read_bytes().split(b"end_header\n", 1)
     lines = head.decode().splitlines()
     count = int(next(line for line in lines if line.startswith("element vertex")).split()[-1])
-    properties = [line.split()[1:] for line in lines[: next(i for i, line in enumerate(lines) if line.startswith("element face"))] if line.startswith("property")]
+    properties = [line.split()[1:]
+                  for line in lines[: next(i for i, line in enumerate(lines) if line.startswith("element face"))]
+                  if line.startswith("property")]
     kinds = {"float": "<f4", "uchar": "u1", "double": "<f8", "int": "<i4"}
     return np.frombuffer(body, [(name, kinds[kind]) for kind, name in properties], count)
 
 
 def test_deviation_from_a_formula_and_from_a_layer(tmp_path):
-    a, b = write_ply(tmp_path / "a.ply", *sphere(48, 20)), write_ply(tmp_path / "b.ply", *sphere(96, 19.5, at=(0.5, 0, 0)))
+    a, b = (write_ply(tmp_path / "a.ply", *sphere(48, 20)),
+            write_ply(tmp_path / "b.ply", *sphere(96, 19.5, at=(0.5, 0, 0))))
     expected = np.linalg.norm(sphere(48, 20)[0] - np.array([0.5, 0, 0]), axis=1) - 19.5
-    for given, bound in (({"Reference": 0, "Layer": 1}, 0.02), ({"Reference": 1, "Formula": "move(sphere(19.5), 0.5, 0, 0)"}, 1e-3)):
-        said = serve(tmp_path, [b, a] if "Layer" in given else [a], [(DEVIATION, {**given, **({"Layer": 0} if "Layer" in given else {})})], tmp_path / "out.ply", mask=("-m", "vq", "vc"))
+    for given, bound in (({"Reference": 0, "Layer": 1}, 0.02),
+                         ({"Reference": 1, "Formula": "move(sphere(19.5), 0.5, 0, 0)"}, 1e-3)):
+        said = serve(tmp_path, [b, a] if "Layer" in given else [a],
+                     [(DEVIATION, {**given, **({"Layer": 0} if "Layer" in given else {})})], tmp_path / "out.ply",
+                     mask=("-m", "vq", "vc"))
         rows = read_quality(tmp_path / "out.ply")
         assert np.abs(rows["quality"] - expected).max() < bound, said.text
         assert np.abs(np.stack([rows["x"], rows["y"], rows["z"]], -1) - sphere(48, 20)[0]).max() < 1e-5  # nothing moved
@@ -264,7 +291,8 @@ def test_deviation_from_a_formula_and_from_a_layer(tmp_path):
 
 
 def test_the_report_tells_the_truth(tmp_path):
-    cases = {"ball": (sphere(24), "It is a valid solid"), "open": (with_holes(sphere(24)), "BAD  closed: no"), "eight": (figure_eight(around=80, across=16), "BAD  self-intersections"),
+    cases = {"ball": (sphere(24), "It is a valid solid"), "open": (with_holes(sphere(24)), "BAD  closed: no"),
+             "eight": (figure_eight(around=80, across=16), "BAD  self-intersections"),
              "inside out": ((sphere(24)[0], sphere(24)[1][:, ::-1]), "BAD  faces outwards")}
     for mesh, words in cases.values():
         said = serve(tmp_path, [write_ply(tmp_path / "in.ply", *mesh)], [REPORT])
@@ -311,7 +339,8 @@ def test_bad_meshes_are_refused_in_one_line(tmp_path):
     for step in ((REMESH, {}), (OFFSET, {}), (SHELL, {}), (LATTICE, {}), (REPORT, {})):
         refused(tmp_path, ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], []), step, "has no triangles")
         refused(tmp_path, ([[0, 0, 0], [0, 0, 0], [0, 0, 0]], [[0, 1, 2]]), step, "none of its 1 triangles has an area")
-        refused(tmp_path, ([[math.nan, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), step, "none of its 1 triangles has an area and finite places")
+        refused(tmp_path, ([[math.nan, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), step,
+                "none of its 1 triangles has an area and finite places")
     refused(tmp_path, None, (REMESH, {}), "open a mesh first")
 
 
@@ -347,7 +376,8 @@ def test_bad_numbers_and_texts_are_refused(tmp_path):
 
 
 def test_damaged_files_are_refused(tmp_path):
-    for name, text in (("bad.frep", b"sphere("), ("bad.asdf", b"nothing of the kind"), ("bad.vdb", b"\0" * 100), ("bad.nrrd", b"NRRD0004\ntype: float\n\n")):
+    for name, text in (("bad.frep", b"sphere("), ("bad.asdf", b"nothing of the kind"), ("bad.vdb", b"\0" * 100),
+                       ("bad.nrrd", b"NRRD0004\ntype: float\n\n")):
         (tmp_path / name).write_bytes(text)
         said = serve(tmp_path, [tmp_path / name], [], tmp_path / "out.ply")
         assert "Fieldfab: " in said and "Aborted" not in said and not (tmp_path / "out.ply").exists(), said.text

@@ -1,4 +1,5 @@
-"""Fieldfab's filters in the real MeshLab window, driven by keys under Xvfb. FIELDFAB_SHOTS names a folder for screenshots."""
+"""Fieldfab's filters in the real MeshLab window, driven by keys under Xvfb. FIELDFAB_SHOTS names a folder for
+screenshots."""
 
 import os
 import pathlib

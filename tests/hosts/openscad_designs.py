@@ -1,9 +1,9 @@
-"""Designs read by us and by OpenSCAD: the same volume within 0.5 %, no place of either surface farther than a voxel from the other.
+"""Designs read by us and by OpenSCAD: the same volume within 0.5 %, no place of either surface farther than a voxel
+from the other.
 
-    openscad_designs.py            the table of docs/openscad.md: all examples, the three designs of ../shared/data/scad, 200 random trees
-    openscad_designs.py NAME ...   some of them
-    openscad_designs.py 0 50       random trees 0 to 49 only
-"""
+    openscad_designs.py            the table of docs/openscad.md: all examples, the three designs of
+    ../shared/data/scad, 200 random trees openscad_designs.py NAME ...   some of them openscad_designs.py 0 50
+    random trees 0 to 49 only """
 
 import json
 import os
@@ -56,7 +56,8 @@ def places_on(points, triangles, count, seed):
 
 
 def theirs(design, output):
-    """OpenSCAD's own mesh, and the seconds it took; a flat design is made THICKNESS thick. None where the design is empty."""
+    """OpenSCAD's own mesh, and the seconds it took; a flat design is made THICKNESS thick. None where the design is
+    empty."""
 
     def run(path):
         started = time.monotonic()
@@ -88,22 +89,25 @@ def ours(design, output, flat, *options):
 
 def contoured(design, folder):
     """Options by which a design is contoured although its faces can be had: bounds a little wider than it."""
-    done = subprocess.run([str(c) for c in (COMMAND, "--json", "mesh", design, "-o", folder / "faces.off")], capture_output=True, text=True, timeout=150)
+    done = subprocess.run([str(c) for c in (COMMAND, "--json", "mesh", design, "-o", folder / "faces.off")],
+                          capture_output=True, text=True, timeout=150)
     assert done.returncode == 0, f"{design}: {done.stderr}"
     *lower, x, y, z = json.loads(done.stdout)["bounds"]
     return ["--bounds=" + ",".join(str(v) for v in (*(v - 1 for v in lower), x + 1, y + 1, z + 1))]
 
 
 def compare(design, folder, refine=0, contour=False):
-    """One row: name, volumes, distances in voxels, times; of the exact faces where there are any, unless a contour is wanted. Where the default cells of a
-    contour are too coarse it is tried with half of them, `refine` times."""
+    """One row: name, volumes, distances in voxels, times. It is of the exact faces where there are any, unless a
+    contour is wanted. Where the default cells of a contour are too coarse, it is tried again with half of them,
+    `refine` times."""
     import fieldfab
 
     folder = pathlib.Path(folder)
     reference, their_seconds, flat = theirs(design, folder / "theirs.off")
     row = {"name": design.stem, "theirs": their_seconds}
     if reference is None:
-        row.update(empty=True, right=subprocess.run([COMMAND, "mesh", design, "-o", folder / "ours.off"], capture_output=True).returncode == 2)
+        row.update(empty=True, right=subprocess.run([COMMAND, "mesh", design, "-o", folder / "ours.off"],
+                                                    capture_output=True).returncode == 2)
         return row
     wanted, a, voxel = fieldfab.load(reference), read_off(reference), None
     options = contoured(design, folder) if contour else []
@@ -112,8 +116,10 @@ def compare(design, folder, refine=0, contour=False):
         made, b = fieldfab.load(folder / "ours.off"), read_off(folder / "ours.off")
         voxel = summary["voxel"]
         error = volume(*b) / volume(*a) - 1
-        distance = max(np.abs(made.values(places_on(*a, 3000, 1))).max(), np.abs(wanted.values(places_on(*b, 3000, 2))).max())
-        row.update(ours=seconds, voxel=voxel, error=error, distance=float(distance) / voxel, triangles=summary["triangles"], halvings=attempt, exact=summary["exact"])
+        distance = max(np.abs(made.values(places_on(*a, 3000, 1))).max(),
+                       np.abs(wanted.values(places_on(*b, 3000, 2))).max())
+        row.update(ours=seconds, voxel=voxel, error=error, distance=float(distance) / voxel,
+                   triangles=summary["triangles"], halvings=attempt, exact=summary["exact"])
         row["right"] = abs(error) < 0.005 and row["distance"] < 1
         if row["right"]:
             break
@@ -141,7 +147,8 @@ def random_design(seed):
     def leaf():
         kind = chance.randrange(6)
         if kind == 0:
-            return f"cube([{number(3, 14)}, {number(3, 14)}, {number(3, 14)}], center={chance.choice(['true', 'false'])});"
+            return (f"cube([{number(3, 14)}, {number(3, 14)}, {number(3, 14)}], "
+                    f"center={chance.choice(['true', 'false'])});")
         if kind == 1:
             return f"sphere(r={number(3, 8)}, $fn={chance.randrange(4, 20)});"
         if kind == 2:
@@ -150,7 +157,8 @@ def random_design(seed):
             return f"linear_extrude(height={number(3, 10)}) {flat()}"
         if kind == 4:
             return f"linear_extrude(height={number(4, 10)}, twist={number(-60, 60)}, scale={number(0.5, 1.5)}) {flat()}"
-        return f"rotate_extrude(angle={chance.choice([360, 90, 200, -120])}, $fn={chance.randrange(5, 30)}) translate([{number(8, 11)}, 0]) {flat()}"
+        return (f"rotate_extrude(angle={chance.choice([360, 90, 200, -120])}, "
+                f"$fn={chance.randrange(5, 30)}) translate([{number(8, 11)}, 0]) {flat()}")
 
     def placed(inner):
         kind = chance.randrange(4)
@@ -182,31 +190,39 @@ def random_extrusion(seed):
         return f"{chance.uniform(low, high):.2f}"
 
     scale = chance.choice(["1", number(0.1, 4), f"[{number(0.1, 4)}, {number(0.1, 4)}]"])
-    fineness = chance.choice(["", "", f"$fn = {chance.randrange(1, 50)}, ", f"$fa = {number(1, 30)}, $fs = {number(0.2, 5)}, ", f"slices = {chance.randrange(1, 30)}, "])
-    shape = chance.choice([f"square([{number(2, 12)}, {number(2, 12)}], center = true)", f"translate([{number(0, 9)}, 2]) circle({number(1, 5)})",
-                           "difference() { square(8, center = true); circle(2.5); }", "polygon([[0, 0], [9, 1], [3, 3], [1, 8]])"])
-    return f"linear_extrude({number(3, 20)}, {fineness}scale = {scale}, twist = {chance.choice(['0', number(-400, 400)])}) {shape};\n"
+    fineness = chance.choice(["", "", f"$fn = {chance.randrange(1, 50)}, ", f"$fa = {number(1, 30)}, "
+                              f"$fs = {number(0.2, 5)}, ", f"slices = {chance.randrange(1, 30)}, "])
+    shape = chance.choice([f"square([{number(2, 12)}, {number(2, 12)}], center = true)",
+                           f"translate([{number(0, 9)}, 2]) circle({number(1, 5)})",
+                           "difference() { square(8, center = true); circle(2.5); }",
+                           "polygon([[0, 0], [9, 1], [3, 3], [1, 8]])"])
+    return (f"linear_extrude({number(3, 20)}, {fineness}scale = {scale}, "
+            f"twist = {chance.choice(['0', number(-400, 400)])}) {shape};\n")
 
 
 def designs():
-    return sorted(EXAMPLES.rglob("*.scad"), key=lambda path: path.stem) + (sorted(SHARED.glob("*.scad")) if SHARED.exists() else [])
+    return sorted(EXAMPLES.rglob("*.scad"),
+                  key=lambda path: path.stem) + (sorted(SHARED.glob("*.scad")) if SHARED.exists() else [])
 
 
 def line(row):
     if "why" in row:
         return f"| {row['name']} | {row['why'][:80]} | | | | | | **no** |"
     if row.get("empty"):
-        return f"| {row['name']} | empty, as OpenSCAD says | | | | {row['theirs']:.2f} | | {'yes' if row['right'] else '**no**'} |"
+        return (f"| {row['name']} | empty, "
+                f"as OpenSCAD says | | | | {row['theirs']:.2f} | | {'yes' if row['right'] else '**no**'} |")
     return (
-        f"| {row['name']} | {100 * row['error']:+.3f} % | {row['distance']:.2f} | {row['voxel']:.3g}{'*' * row['halvings']} | {'faces' if row['exact'] else 'contour'} | {row['theirs']:.2f} | {row['ours']:.2f} | "
-        f"{'yes' if row['right'] else '**no**'} |"
+        f"| {row['name']} | {100 * row['error']:+.3f} % | {row['distance']:.2f} | "
+        f"{row['voxel']:.3g}{'*' * row['halvings']} | {'faces' if row['exact'] else 'contour'} | {row['theirs']:.2f} | "
+        f"{row['ours']:.2f} | {'yes' if row['right'] else '**no**'} |"
     )
 
 
 def main(names):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        print("| design | volume off by | farthest, voxels | voxel, mm | made of | OpenSCAD, s | ours, s | right |\n|---|---|---|---|---|---|---|---|", flush=True)
+        print("| design | volume off by | farthest, voxels | voxel, mm | made of | OpenSCAD, s | ours, s | right |\n"
+              "|---|---|---|---|---|---|---|---|", flush=True)
         for design in designs() if not names or not names[0].isdigit() else []:
             if names and design.stem not in names:
                 continue
@@ -217,7 +233,8 @@ def main(names):
             print(line(rows[-1]), flush=True)
         if rows:
             ratios = sorted(r["theirs"] / r["ours"] for r in rows if "ours" in r)
-            print(f"\n{sum(r['right'] for r in rows)} of {len(rows)} right; ours faster {np.median(ratios):.2g} times on the median.\n", flush=True)
+            print(f"\n{sum(r['right'] for r in rows)} of {len(rows)} right; "
+                  f"ours faster {np.median(ratios):.2g} times on the median.\n", flush=True)
         right, total = 0, 0
         wanted = [int(name) for name in names if name.isdigit()]
         for seed in range(200) if not names else range(*wanted) if wanted else []:

@@ -1,4 +1,5 @@
-"""OpenSCAD's designs: read by every verb, the same solids as OpenSCAD's own; and fieldfab.scad within OpenSCAD. The full table: openscad_designs.py."""
+"""OpenSCAD's designs: read by every verb, the same solids as OpenSCAD's own; and fieldfab.scad within OpenSCAD. The
+full table: openscad_designs.py."""
 
 import json
 import signal
@@ -12,11 +13,14 @@ from conftest import COMMAND, DATA
 
 import fieldfab as ff
 
-QUICK = "CSG LetterBlock example002 example003 example004 example007 example008 example009 example011 example012 example013 example014 example015 example016 offset sign echo list_comprehensions hull3-tests minkowski3-difference-test".split()
+QUICK = ("CSG LetterBlock example002 example003 example004 example007 example008 example009 example011 example012 "
+         "example013 example014 example015 example016 offset sign echo list_comprehensions hull3-tests "
+         "minkowski3-difference-test".split())
 
 
 def run(*arguments, cwd=None, **more):
-    return subprocess.run([str(a) for a in (COMMAND, *arguments)], capture_output=True, text=True, timeout=300, cwd=cwd, **more)
+    return subprocess.run([str(a) for a in (COMMAND, *arguments)], capture_output=True, text=True, timeout=300, cwd=cwd,
+                          **more)
 
 
 def example(name):
@@ -32,7 +36,8 @@ def test_examples_are_the_same_solids(name, tmp_path):
     assert row["right"] and (row.get("exact", True) or name == "minkowski3-difference-test"), row
 
 
-@pytest.mark.parametrize("name", "CSG LetterBlock example002 example004 example007 example008 example009 example012 example013 hull3-tests".split())
+@pytest.mark.parametrize("name", "CSG LetterBlock example002 example004 example007 example008 example009 example012 "
+                         "example013 hull3-tests".split())
 def test_contours_of_examples_are_the_same_solids(name, tmp_path):
     row = openscad_designs.compare(example(name), tmp_path, refine=1, contour=True)
     assert row["right"] and not row["exact"], row
@@ -44,8 +49,9 @@ def test_python_has_the_commands_faces(name, tmp_path):
     assert done.returncode == 0, done.stderr
     told, field = json.loads(done.stdout), ff.load(example(name))
     for mine in (ff.mesh(field), field.faces()):
-        assert told["exact"] and mine.volume == pytest.approx(told["volume"], rel=1e-7) and mine.area == pytest.approx(told["area"], rel=1e-7)
-        # Which diagonals corefinement takes within a plane, and how many corners are left there, differs from run to run.
+        assert (told["exact"] and mine.volume == pytest.approx(told["volume"], rel=1e-7)
+                and mine.area == pytest.approx(told["area"], rel=1e-7))
+        # Which diagonals corefinement takes within a plane, and how many corners stay there, differs from run to run.
         assert len(mine.triangles) == pytest.approx(told["triangles"], rel=0.1) and ff.inspect(mine).valid
 
 
@@ -90,7 +96,8 @@ def test_what_is_wrong_is_said_in_one_line(tmp_path):
         "teapot();": "the design is empty",
         "intersection() { cube(4); translate([4, 0, 0]) cube(4); }": "the design is empty",
         "difference() { cube(4); cube(4); }": "the solid is empty",
-        "difference() { sphere(3, $fn=10); sphere(3, $fn=10); }": "no surface was found",  # its intervals leave room for one everywhere on the sphere
+        # Its intervals leave room for a surface everywhere on the sphere.
+        "difference() { sphere(3, $fn=10); sphere(3, $fn=10); }": "no surface was found",
         'import("gone.stl");': "no such file",
         "assert(false);": "Assertion",
     }.items():
@@ -110,9 +117,12 @@ def test_without_openscad(tmp_path):
 
 
 def test_designs_become_formulas(tmp_path):
-    (tmp_path / "a.scad").write_text("difference() { cube(10, center = true); cylinder(h = 20, r = 3, center = true, $fn = 12); }")
+    (tmp_path / "a.scad").write_text(
+        "difference() { cube(10, center = true); cylinder(h = 20, r = 3, center = true, $fn = 12); }")
     assert run("convert", tmp_path / "a.scad", "-o", tmp_path / "a.frep").returncode == 0
-    volumes = [json.loads(run("--json", "mesh", tmp_path / f, "-o", tmp_path / "a.stl", "--voxel", 0.2).stdout)["volume"] for f in ("a.scad", "a.frep")]
+    summaries = [run("--json", "mesh", tmp_path / f, "-o", tmp_path / "a.stl", "--voxel", 0.2).stdout
+                 for f in ("a.scad", "a.frep")]
+    volumes = [json.loads(each)["volume"] for each in summaries]
     assert volumes[0] == pytest.approx(volumes[1], rel=1e-4)
     (tmp_path / "b.scad").write_text("rotate_extrude() translate([5, 0]) circle(2);")
     done = run("convert", tmp_path / "b.scad", "-o", tmp_path / "b.frep")
@@ -121,7 +131,10 @@ def test_designs_become_formulas(tmp_path):
 
 DESIGN = """use <fieldfab.scad>
 difference() {
-  union() { frep("sphere(5) - 0.3 * sin(2 * x)", voxel = 0.7); translate([12, 0, 0]) smooth_union(r = 2, voxel = 0.7) { cube(6); sphere(4, $fn = 20); } }
+  union() {
+    frep("sphere(5) - 0.3 * sin(2 * x)", voxel = 0.7);
+    translate([12, 0, 0]) smooth_union(r = 2, voxel = 0.7) { cube(6); sphere(4, $fn = 20); }
+  }
   cylinder(h = 30, r = 1, center = true);
 }
 """
@@ -132,8 +145,10 @@ def test_fieldfab_within_openscad(tmp_path):
     design.write_text(DESIGN)
     done = run("openscad", design, "-o", tmp_path / "part.stl")
     assert done.returncode == 0 and "2 meshes made" in done.stdout, done
-    plain = subprocess.run(["openscad", "-o", str(tmp_path / "plain.off"), str(design)], capture_output=True, text=True, timeout=300)
-    assert plain.returncode == 0 and "Simple:        yes" in plain.stderr and "ERROR" not in plain.stderr and "WARNING" not in plain.stderr, plain.stderr
+    plain = subprocess.run(["openscad", "-o", str(tmp_path / "plain.off"), str(design)], capture_output=True, text=True,
+                           timeout=300)
+    assert (plain.returncode == 0 and "Simple:        yes" in plain.stderr and "ERROR" not in plain.stderr
+            and "WARNING" not in plain.stderr), plain.stderr
     made = json.loads(run("--json", "info", tmp_path / "part.stl").stdout)["volume"]
     design.write_text(DESIGN.replace("smooth_union(r = 2, voxel = 0.7)", "union()"))
     assert run("openscad", design, "-o", tmp_path / "sharp.stl").returncode == 0
@@ -147,7 +162,8 @@ def test_fieldfab_within_openscad(tmp_path):
 def test_watching(tmp_path):
     design = tmp_path / "part.scad"
     design.write_text(DESIGN)
-    watching = subprocess.Popen([str(COMMAND), "openscad", "--watch", "part.scad"], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    watching = subprocess.Popen([str(COMMAND), "openscad", "--watch", "part.scad"], cwd=tmp_path,
+                                stderr=subprocess.PIPE, text=True)
     try:
         assert "watching" in watching.stderr.readline()
         time.sleep(1.1)  # file times may be whole seconds

@@ -1,4 +1,5 @@
-"""Models of several parts through the command: what is said of bad ones, their names and colours in files, and verbs that take a part."""
+"""Models of several parts through the command: messages for bad ones, names and colours in files, and verbs that take a
+part."""
 
 import json
 import math
@@ -51,16 +52,20 @@ def test_an_empty_part_is_told_and_the_others_are_kept(tmp_path, model):
     assert done.returncode == 0 and f"{model}:4:1: part 'none': the solid is empty" in done.stderr
     parts = {part["name"]: part for part in json.loads(done.stdout)["parts"]}
     assert {name: part["volume"] for name, part in parts.items()} == pytest.approx(VOLUMES, rel=0.01)
-    assert {name: part["colour"] for name, part in parts.items()} == {"ball": "#ff6347", "cube": "#204060", "plain": None}
-    (tmp_path / "none.frep").write_text("".join(f'part(intersection(sphere(1), move(sphere(1), 9)), "{name}")\n' for name in "ab"))
+    assert {name: part["colour"] for name, part in parts.items()} == {
+        "ball": "#ff6347", "cube": "#204060", "plain": None}
+    (tmp_path / "none.frep").write_text("".join(f'part(intersection(sphere(1), move(sphere(1), 9)), "{name}")\n'
+                                                for name in "ab"))
     done = run("mesh", tmp_path / "none.frep", "-o", tmp_path / "none.3mf")
     assert done.returncode == 2 and "all parts are empty" in done.stderr and not (tmp_path / "none.3mf").exists()
 
 
 @pytest.mark.parametrize("words, keeps", [
     ("mesh model.frep -o out.stl", False), ("mesh model.frep -o out.ply", False), ("mesh model.frep -o out.glb", True),
-    ("convert model.frep -o out.3mf", True), ("convert model.frep -o out.off", False), ("convert model.frep -o out.vdb", False),
-    ("convert model.frep -o out.asdf", False), ("convert model.frep -o out.vm", False), ("build model.frep -o out.asdf", False),
+    ("convert model.frep -o out.3mf", True), ("convert model.frep -o out.off", False),
+    ("convert model.frep -o out.vdb", False),
+    ("convert model.frep -o out.asdf", False), ("convert model.frep -o out.vm", False),
+    ("build model.frep -o out.asdf", False),
     ("render model.frep -o out.png --size 32", True),
 ])
 def test_each_verb_tells_what_is_left_out_of_parts(tmp_path, model, words, keeps):
@@ -79,18 +84,21 @@ NAMES = ['6" pipe', "back\\slash\\", "two\nlines", "it's \\n", "\\\""]
 
 def test_names_of_parts_may_have_quotes_backslashes_and_line_ends(tmp_path):
     """In texts, in files that are opened by them, and in scripts."""
-    (tmp_path / "model.py").write_text(f"import fieldfab as ff\nfor i, name in enumerate({NAMES!r}): ff.part(ff.shapes.sphere(i + 1), name)\n")
+    (tmp_path / "model.py").write_text(
+        f"import fieldfab as ff\nfor i, name in enumerate({NAMES!r}): ff.part(ff.shapes.sphere(i + 1), name)\n")
     for there, back in (("model.py", "model.frep"), ("model.frep", "again.frep")):
         run("convert", tmp_path / there, "-o", tmp_path / back, check=True)
         assert [part["name"] for part in summary("info", tmp_path / back)["parts"]] == NAMES
     assert "  two lines: x" in run("info", tmp_path / "model.frep").stdout
     assert (tmp_path / "model.frep").read_text() == (tmp_path / "again.frep").read_text()
-    assert (tmp_path / "model.frep").read_text().startswith("part(sqrt((square(x) + square(y)) + square(z)) - 1, \"6\\\" pipe\")\n")
+    assert (tmp_path / "model.frep").read_text().startswith(
+        "part(sqrt((square(x) + square(y)) + square(z)) - 1, \"6\\\" pipe\")\n")
     summary("mesh", tmp_path / "model.frep", "-o", tmp_path / 'of "all".3mf', "--voxel", 0.5)
     (tmp_path / "one.frep").write_text(r'open("of \"all\".3mf", part = "6\" pipe") | move(sphere(1), 9)')
     run("convert", tmp_path / "one.frep", "-o", tmp_path / "two.frep", check=True)
     for name in ("one", "two"):
-        assert summary("info", tmp_path / f"{name}.frep")["bounds"] == [pytest.approx(b, abs=0.1) for b in ([-1, 10], [-1, 1], [-1, 1])]
+        assert summary("info", tmp_path / f"{name}.frep")["bounds"] == [
+            pytest.approx(b, abs=0.1) for b in ([-1, 10], [-1, 1], [-1, 1])]
     (tmp_path / "bad.frep").write_text('part(sphere(1), "a\\")')
     assert "bad.frep:1:17: the quotes opened here are not closed on this line" in refused("info", tmp_path / "bad.frep")
 
@@ -139,7 +147,8 @@ def test_info_lists_parts_with_sizes_and_volumes(tmp_path, model):
         (low, high), (front, back), (bottom, top) = parts["cube"]["bounds"]
         assert (low, high, front, back, bottom, top) == pytest.approx((4, 8, -2, 2, -2, 2), abs=loose)
     said = run("info", model).stdout.splitlines()
-    assert said[0].endswith("4 parts") and said[1].startswith("  ball: #ff6347, x -3") and said[4] == "  none: #ff0000, empty"
+    assert (said[0].endswith("4 parts") and said[1].startswith("  ball: #ff6347, x -3")
+            and said[4] == "  none: #ff0000, empty")
 
 
 def test_one_part_is_taken_by_its_name(tmp_path, model):
@@ -160,7 +169,8 @@ def test_check_tells_which_parts_overlap(tmp_path, model):
 
 
 def test_a_job_cuts_one_part(tmp_path, model):
-    job = 'machine = "linuxcnc"\n[input]\nmodel = "model.frep"\npart = "PART"\n[[tool]]\nnumber = 1\ndiameter = 1\n[[operation]]\ntype = "profile"\ntool = 1\nside = "on"\n'
+    job = ('machine = "linuxcnc"\n[input]\nmodel = "model.frep"\npart = "PART"\n[[tool]]\nnumber = 1\ndiameter = 1\n'
+           '[[operation]]\ntype = "profile"\ntool = 1\nside = "on"\n')
     (tmp_path / "job.toml").write_text(job.replace("PART", "cube"))
     run("cam", tmp_path / "job.toml", "-o", tmp_path / "part.ngc", check=True)
     cut = [float(x) for x in re.findall(r"X(-?[\d.]+)", (tmp_path / "part.ngc").read_text())]

@@ -42,7 +42,8 @@ def test_the_middle_of_a_move_has_half_of_its_slot(simulated):
     for share in (0.0, 0.25, 0.5, 1.0):
         moment = playback.at(end - 2.4 * (1 - share) - 1e-9)
         x = -12 + 24 * share
-        assert moment["tip"] == pytest.approx([x, 0, -3], abs=1e-6) and moment["axes"][:3] == pytest.approx([x, 0, -3], abs=1e-6)
+        assert (moment["tip"] == pytest.approx([x, 0, -3], abs=1e-6)
+                and moment["axes"][:3] == pytest.approx([x, 0, -3], abs=1e-6))
         assert moment["line"] == (6 if share else 5) and moment["tool"] == 1 and not moment["rapid"]
         gone = whole - playback.stock_at(end - 2.4 * (1 - share)).mesh().volume
         assert gone == pytest.approx(3 * (math.pi * 9 + 6 * 24 * share), rel=2e-3)
@@ -64,7 +65,8 @@ def test_the_tool_has_its_parts(simulated):
 def test_tables_turn_the_work_below_an_upright_tool(simulated):
     simulation = simulated("five_axis_ac", "G21 G90\nT1 M6\nS5000 M3\nG0 X0 Y0 Z30\nG0 A30 C40\nG1 Z25 F500\nM2\n")
     moment = simulation.playback.at(1e9)
-    assert simulation.axes == "XYZAC" and moment["axes"][3] == pytest.approx(30) and moment["axes"][5] == pytest.approx(40)
+    assert (simulation.axes == "XYZAC" and moment["axes"][3] == pytest.approx(30)
+            and moment["axes"][5] == pytest.approx(40))
     turn = simulation.turn_of_work(moment["axes"])
     assert turn[:3, :3] @ moment["axis"] == pytest.approx([0, 0, 1], abs=1e-12)
     assert (turn @ [*moment["tip"], 1])[:3] == pytest.approx([0, 0, 25], abs=1e-9)
@@ -79,7 +81,8 @@ def test_drawn_pieces_meet_without_gaps_and_have_fewer_triangles(simulated, coar
     assert len(pieces) == len(surface) > 4
     corners, start, places = [], 0, []
     for vertices, normals, triangles, cuts in pieces:
-        assert len(vertices) == len(normals) == len(cuts) and (triangles[:, 3] == -1).all() and np.linalg.norm(normals, axis=1) == pytest.approx(1, abs=1e-4)
+        assert (len(vertices) == len(normals) == len(cuts) and (triangles[:, 3] == -1).all()
+                and np.linalg.norm(normals, axis=1) == pytest.approx(1, abs=1e-4))
         corners.append(triangles[:, :3] + start)
         places.append(vertices)
         start += len(vertices)
@@ -91,7 +94,8 @@ def test_drawn_pieces_meet_without_gaps_and_have_fewer_triangles(simulated, coar
     a, b, c = (places[corners[:, k]].astype(float) for k in range(3))
     volume = (a * np.cross(b, c)).sum() / 6
     assert volume == pytest.approx(mesh.volume, rel=1e-4 if coarse == 1 else 5e-3)
-    assert len(corners) < sum(len(surface.piece(i).triangles) for i in range(len(surface))) * {1: 0.35, 2: 0.2, 3: 0.15}[coarse]
+    assert len(corners) < sum(len(surface.piece(i).triangles)
+                              for i in range(len(surface))) * {1: 0.35, 2: 0.2, 3: 0.15}[coarse]
 
 
 def test_cuts_tell_their_lines_and_tools(simulated):

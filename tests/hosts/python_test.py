@@ -96,7 +96,8 @@ def test_stubs_name_what_there_is():
     import pathlib
 
     package = pathlib.Path(ff.__file__).parent
-    for module, stub in [(ff._core, "_core.pyi"), (ff.shapes, "shapes.pyi"), (ff.language, "language.pyi"), (ff.cam, "cam.pyi"), (ff.stock, "stock.pyi")]:
+    for module, stub in [(ff._core, "_core.pyi"), (ff.shapes, "shapes.pyi"), (ff.language, "language.pyi"),
+                         (ff.cam, "cam.pyi"), (ff.stock, "stock.pyi")]:
         tree = ast.parse((package / stub).read_text())
         described = {node.name: node for node in tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
         for name, thing in vars(module).items():
@@ -105,7 +106,8 @@ def test_stubs_name_what_there_is():
             assert name in described, f"{stub} lacks {name}"
             signature = (thing.__doc__ or "").splitlines()[:1]
             if isinstance(described[name], ast.FunctionDef) and signature and "(" in signature[0]:
-                found = [part.split(":")[0].strip() for part in signature[0].split("(", 1)[1].split(", ") if ":" in part]
+                found = [part.split(":")[0].strip() for part in signature[0].split("(", 1)[1].split(", ")
+                         if ":" in part]
                 assert module is ff.shapes or [a.arg for a in described[name].args.args] == found, name
             if isinstance(described[name], ast.ClassDef) and thing is not ff.Error:
                 members = {node.name for node in described[name].body if isinstance(node, ast.FunctionDef)}
@@ -121,7 +123,8 @@ def test_what_is_made_from_the_library_is_up_to_date():
 
     from conftest import ROOT
 
-    done = subprocess.run([sys.executable, ROOT / "packaging" / "make_docs.py", "--check"], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, ROOT / "packaging" / "make_docs.py", "--check"], capture_output=True,
+                          text=True)
     assert done.returncode == 0, done.stderr
 
 
@@ -172,7 +175,8 @@ def test_meshes_of_arrays_are_solids():
     assert again.volume == cube.volume == pytest.approx(48, rel=1e-3)
     field = again.solid()
     assert field.value(0, 0, 0) == pytest.approx(-1, abs=1e-3) and field.value(3, 0, 0) == pytest.approx(2, abs=1e-3)
-    for vertices, triangles in (([[0, 0]], [[0, 0, 0]]), ([[0, 0, 0]], [[0, 0, 1]]), ([[0, 0, float("nan")]], [[0, 0, 0]]), ([[0, 0, 0]], [[0, 0, 7]])):
+    for vertices, triangles in (([[0, 0]], [[0, 0, 0]]), ([[0, 0, 0]], [[0, 0, 1]]),
+                                ([[0, 0, float("nan")]], [[0, 0, 0]]), ([[0, 0, 0]], [[0, 0, 7]])):
         with pytest.raises(ff.Error):
             ff.Mesh(vertices, triangles)
 
@@ -195,7 +199,9 @@ def test_freecads_mesh_bytes_name_all_neighbours():
 DESIGN = """%sphere(r = 9);
 difference() {
   cube(size = [10, 20, 30], center = true);
-  #multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cylinder($fn = 4, h = 40, r1 = 3, r2 = 3, center = true); }
+  #multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {
+    cylinder($fn = 4, h = 40, r1 = 3, r2 = 3, center = true);
+  }
   *cube(size = [1, 1, 1]);
   text(text = "a \\"b\\"", size = 5);
 }
@@ -206,9 +212,12 @@ def test_an_openscad_design_is_a_tree(tmp_path):
     (tmp_path / "design.csg").write_text(DESIGN)
     tree = ff.read_openscad_tree(tmp_path / "design.csg")
     nodes = [tree[i] for i in range(len(tree))]
-    assert [node.name for node in nodes] == ["group", "sphere", "difference", "cube", "multmatrix", "cylinder", "cube", "text"]
-    assert [node.dimensions for node in nodes] == [3, 3, 3, 3, 3, 3, 3, 2] and nodes[2].children == [3, 4, 6, 7] and nodes[2].line == 2
-    assert [i for i, node in enumerate(nodes) if node.background] == [1] and [i for i, node in enumerate(nodes) if node.disabled] == [6]
+    assert [node.name for node in nodes] == ["group", "sphere", "difference", "cube", "multmatrix", "cylinder", "cube",
+                                             "text"]
+    assert ([node.dimensions for node in nodes] == [3, 3, 3, 3, 3, 3, 3, 2] and nodes[2].children == [3, 4, 6, 7]
+            and nodes[2].line == 2)
+    assert ([i for i, node in enumerate(nodes) if node.background] == [1]
+            and [i for i, node in enumerate(nodes) if node.disabled] == [6])
     assert [i for i, node in enumerate(nodes) if node.highlight] == [4] and not any(node.root for node in nodes)
     assert nodes[3].arguments == {"size": [10, 20, 30], "center": True} and nodes[4].arguments[""][0] == [1, 0, 0, 2]
     assert nodes[7].arguments == {"text": 'a "b"', "size": 5}
@@ -226,20 +235,25 @@ def test_openscad_text_is_a_solid(tmp_path):
     assert ff.mesh(design.solid, voxel=design.voxel).volume == pytest.approx(6, rel=1e-3) and not design.flat
     assert design.notes == ["part:1: square is 2D among 3D shapes, and left out as OpenSCAD does"]
     plate = ff.openscad_design("square(size = [4, 5]);", thickness=2)
-    assert plate.flat and plate.solid.bounds()[5] == pytest.approx(2, abs=0.05) and ff.mesh(plate.solid, voxel=0.1).volume == pytest.approx(40, rel=1e-3)
+    assert (plate.flat and plate.solid.bounds()[5] == pytest.approx(2, abs=0.05)
+            and ff.mesh(plate.solid, voxel=0.1).volume == pytest.approx(40, rel=1e-3))
     assert ff.openscad_design("group();").solid is None
-    assert ff.openscad_design("sphere(r = 10, $fn = 6);", smooth=True).solid.value(0, 0, 9.99) < 0 < ff.openscad_design("sphere(r = 10, $fn = 6);").solid.value(0, 0, 9.99)
+    assert ff.openscad_design("sphere(r = 10, $fn = 6);", smooth=True).solid.value(
+        0, 0, 9.99) < 0 < ff.openscad_design("sphere(r = 10, $fn = 6);").solid.value(0, 0, 9.99)
     ff.mesh(BALL, voxel=0.1).save(tmp_path / "ball.stl")
     assert ff.openscad_design('import(file = "ball.stl");', tmp_path).solid.value(0, 0, 0) < 0
-    for text, said in (("cube(", "part:1:6"), ("teapot();", "part:1: 'teapot' is not known"), ('import(file = "gone.stl");', "gone.stl")):
+    for text, said in (("cube(", "part:1:6"), ("teapot();", "part:1: 'teapot' is not known"),
+                       ('import(file = "gone.stl");', "gone.stl")):
         with pytest.raises(ff.Error, match=re.escape(said)):
             ff.openscad_design(text, name="part")
     with pytest.raises(ff.Error) as told:
-        ff.openscad_design("minkowski() { cube(size = [1, 1, 1]); sphere(r = 3, $fn = 50); }", progress=lambda fraction, message: False)
+        ff.openscad_design("minkowski() { cube(size = [1, 1, 1]); sphere(r = 3, $fn = 50); }",
+                           progress=lambda fraction, message: False)
     assert told.value.kind == "cancelled"
 
 
-CORNER = "difference() { cube(size = [10, 10, 10]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }"
+CORNER = ("difference() { cube(size = [10, 10, 10]); "
+          "multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }")
 
 
 def test_an_openscad_design_has_its_own_faces():
@@ -247,7 +261,8 @@ def test_an_openscad_design_has_its_own_faces():
     for mesh in (ff.mesh(field), field.faces(), ff.mesh(field, voxel=3), ff.mesh(field, resolution=0.1, max_error=1)):
         assert len(mesh.triangles) == 24 and len(mesh.vertices) == 14 and mesh.volume == 875 and ff.inspect(mesh).valid
         assert {*mesh.vertices.ravel()} == {0, 5, 10}
-    assert ff.mesh(field, voxel=0.5, exact=False).volume == pytest.approx(875, rel=1e-3) and len(ff.mesh(field, voxel=0.5, exact=False, max_error=0).triangles) > 1000
+    assert (ff.mesh(field, voxel=0.5, exact=False).volume == pytest.approx(875, rel=1e-3)
+            and len(ff.mesh(field, voxel=0.5, exact=False, max_error=0).triangles) > 1000)
     part = ff.mesh(field, bounds=(-1, -1, -1, 11, 11, 4), voxel=0.5)
     assert part.volume == pytest.approx(400, rel=1e-3), "a part of it is a contour"
     whole = ff.mesh(field, bounds=(-1, -1, -1, 11, 11, 11), voxel=0.5, max_error=0)
@@ -262,8 +277,10 @@ def test_what_is_made_of_a_design_has_its_faces_where_they_stay_true():
     """A moved or turned design keeps them; an offset or a union has none, and so has what is round."""
     field = ff.openscad_design(CORNER).solid
     moved = field.translate(1, 0, 0).rotate((0, 0, 1), 0.5).faces()
-    assert moved.volume == pytest.approx(field.faces().volume, rel=1e-5) and len(moved.triangles) == len(field.faces().triangles)
-    for other in (field | ff.Solid(BALL), field.offset(1), ff.Solid(BALL), ff.openscad_design(CORNER, smooth=True).solid):
+    assert (moved.volume == pytest.approx(field.faces().volume, rel=1e-5)
+            and len(moved.triangles) == len(field.faces().triangles))
+    for other in (field | ff.Solid(BALL), field.offset(1), ff.Solid(BALL),
+                  ff.openscad_design(CORNER, smooth=True).solid):
         assert other.faces() is None
     assert ff.mesh(field.translate(1, 0, 0), voxel=0.5).volume == pytest.approx(875, rel=1e-3)
     points = np.random.default_rng(1).uniform(-2, 12, (1000, 3)).astype(np.float32)
@@ -274,7 +291,8 @@ def test_what_is_made_of_a_design_has_its_faces_where_they_stay_true():
 def test_a_flat_design_has_the_faces_of_its_plate():
     plate = ff.openscad_design("square(size = [4, 5]);", thickness=2).solid
     assert len(plate.faces().triangles) == 12 and plate.faces().volume == 40
-    assert plate.faces().vertices.min(axis=0).tolist() == [0, 0, 0] and plate.faces().vertices.max(axis=0).tolist() == [4, 5, 2]
+    assert (plate.faces().vertices.min(axis=0).tolist() == [0, 0, 0]
+            and plate.faces().vertices.max(axis=0).tolist() == [4, 5, 2])
 
 
 def test_making_faces_can_be_cancelled():
@@ -287,9 +305,11 @@ def test_making_faces_can_be_cancelled():
 
 def test_the_table_of_formats():
     table = {extension: row for row in ff.formats() for extension in row["extensions"]}
-    assert set(table[".stl"]) == {"extensions", "kind", "reads", "writes", "parts", "help"} and len(ff.formats()) < len(table)
+    assert (set(table[".stl"]) == {"extensions", "kind", "reads", "writes", "parts", "help"}
+            and len(ff.formats()) < len(table))
     assert {row["kind"] for row in ff.formats()} == {"formula", "script", "design", "distances", "mesh", "volume"}
-    assert table[".glb"]["writes"] and table[".glb"]["parts"] and not table[".glb"]["reads"] and table[".csg"]["kind"] == "design"
+    assert (table[".glb"]["writes"] and table[".glb"]["parts"] and not table[".glb"]["reads"]
+            and table[".csg"]["kind"] == "design")
 
 
 def test_a_model_tells_its_parts_notes_and_files(tmp_path):
@@ -300,7 +320,8 @@ def test_a_model_tells_its_parts_notes_and_files(tmp_path):
     ff.Mesh(whole.vertices, whole.triangles[1:]).save(tmp_path / "open.stl")
     model = ff.open_model(ball)
     assert [(name, colour) for _, name, colour in model.parts] == [("ball", "#ff0000"), ("lid", None)]
-    assert [path.name for path in model.files] == ["ball.frep", "lid.frep", "open.stl"] and "closed by lids" in model.notes[0]
+    assert ([path.name for path in model.files] == ["ball.frep", "lid.frep", "open.stl"]
+            and "closed by lids" in model.notes[0])
     assert model.part("lid").value(0, 0, 0) == pytest.approx(-0.5) and model.united().value(0, 0, 0) == -2
     with pytest.raises(ff.Error, match="ball.frep: there is no part 'bal'; did you mean 'ball'"):
         model.part("bal")
@@ -317,7 +338,8 @@ def test_parts_are_written_with_names_and_colours(tmp_path):
     parts = [(ff.shapes.box(2, 2, 2), None, "red"), (ff.shapes.move(ff.shapes.box(2, 2, 2), 1, 0, 0), None, None)]
     ff.mesh(parts[0][0] | parts[1][0]).save(tmp_path / "both.ply", parts)
     assert b"property uchar red" in (tmp_path / "both.ply").read_bytes()
-    for parts, path, error in (([(a, "a", "reddish")], "parts.3mf", "reddish"), ([], "parts.3mf", "no part"), ([(a, "a", None)], "parts.xyz", "xyz")):
+    for parts, path, error in (([(a, "a", "reddish")], "parts.3mf", "reddish"), ([], "parts.3mf", "no part"),
+                               ([(a, "a", None)], "parts.xyz", "xyz")):
         with pytest.raises(ff.Error, match=error):
             ff.save_parts(parts, tmp_path / path)
 

@@ -1,4 +1,5 @@
-"""LinuxCNC's interpreter as an oracle: the canonical moves of a program, in mm (../shared/data/SOURCES.txt says how it behaves)."""
+"""LinuxCNC's interpreter as an oracle: the canonical moves of a program, in mm (../shared/data/SOURCES.txt says how it
+behaves)."""
 
 import re
 import shutil
@@ -9,7 +10,8 @@ import numpy as np
 
 
 def canonical(program, tools=((1, 0.0, 0.1),)):
-    """The calls (name, [numbers]) that rs274 makes of a G-code file; an AssertionError with its message where it refuses the file."""
+    """The calls (name, [numbers]) that rs274 makes of a G-code file. Raises AssertionError with its message where it
+    refuses the file."""
     assert shutil.which("rs274"), "rs274 is missing: ./dev setup installs linuxcnc-uspace"
     with tempfile.TemporaryDirectory() as folder:
         table, variables, out = folder + "/tool.tbl", folder + "/v.var", folder + "/out.txt"
@@ -17,7 +19,8 @@ def canonical(program, tools=((1, 0.0, 0.1),)):
             for number, length, diameter in tools:
                 f.write(f"T{number} P{number} Z{length / 25.4:.8f} D{diameter / 25.4:.8f}\n")
         open(variables, "w").close()
-        done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out], capture_output=True, text=True, timeout=300)
+        done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out],
+                              capture_output=True, text=True, timeout=300)
         assert done.returncode == 0, done.stderr + done.stdout
         calls = []
         for line in open(out):

@@ -55,7 +55,8 @@ def test_a_medical_file_is_read_by_the_part_that_is_loaded_for_it(examples, inst
 
 def test_a_program_is_simulated(examples, tmp_path):
     (tmp_path / "setup.toml").write_text(
-        'cell = 0.5\n[stock]\nlower = [0, 0, -5]\nupper = [20, 20, 0]\n[[tool]]\nnumber = 1\nshape = "flat"\ndiameter = 4\nflute = 10\n')
+        'cell = 0.5\n[stock]\nlower = [0, 0, -5]\nupper = [20, 20, 0]\n[[tool]]\nnumber = 1\nshape = "flat"\n'
+        'diameter = 4\nflute = 10\n')
     (tmp_path / "slot.ngc").write_text("G21 G90 T1 M6 S9000 M3\nG0 Z5\nG0 X-5 Y10\nG0 Z-2\nG1 X25 F300\nG0 Z5\nM2\n")
     said = run(examples / "simulate_program", tmp_path / "setup.toml", tmp_path / "slot.ngc", tmp_path / "slot.stl")
     assert 4 * 2 * 20 <= float(said.split()[0]) <= (4 + 0.5) * 2 * 20, "the slot, as wide as the cutter to a cell"
@@ -66,15 +67,18 @@ def test_pkg_config_knows_it(installed, tmp_path):
     folder = {**os.environ, "PKG_CONFIG_PATH": str(installed / "lib" / "pkgconfig")}
     options = run("pkg-config", "--cflags", "--libs", "fieldfab", env=folder).split()
     (tmp_path / "box.cpp").write_text(
-        '#include "fieldfab/core/geometry.h"\nint main() { return fieldfab::hull({{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, {3, 3, 3}}).size().x() == 3 ? 0 : 1; }\n')
+        '#include "fieldfab/core/geometry.h"\nint main() { return fieldfab::hull({{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, '
+        '{3, 3, 3}}).size().x() == 3 ? 0 : 1; }\n')
     run("c++", tmp_path / "box.cpp", "-o", tmp_path / "box", *options, f"-Wl,-rpath,{installed / 'lib'}")
     run(tmp_path / "box")
 
 
 def test_what_programs_link_to_are_the_libraries_alone(examples):
-    needed = [line.split("[")[1].rstrip("]") for line in run("readelf", "-d", examples / "formula_to_mesh").splitlines() if "(NEEDED)" in line]
+    needed = [line.split("[")[1].rstrip("]") for line in run("readelf", "-d", examples / "formula_to_mesh").splitlines()
+              if "(NEEDED)" in line]
     assert "libfieldfab.so.0" in needed
-    assert [name for name in needed if any(heavy in name for heavy in ("ITK", "openvdb", "OpenMesh", "asmjit", "tbb"))] == []
+    assert [name
+            for name in needed if any(heavy in name for heavy in ("ITK", "openvdb", "OpenMesh", "asmjit", "tbb"))] == []
 
 
 def test_a_command_that_needs_neither_loads_neither_itk_nor_openvdb(installed):
@@ -87,13 +91,15 @@ def test_a_part_that_is_missing_is_named(installed, tmp_path):
     shutil.copytree(installed, prefix, symlinks=True)
     part = next(prefix.glob("lib/fieldfab-*/openvdb.so"))
     part.unlink()
-    done = subprocess.run([prefix / "bin" / "fieldfab", "check", ROOT / "examples" / "pawn.frep"], capture_output=True, text=True)
+    done = subprocess.run([prefix / "bin" / "fieldfab", "check", ROOT / "examples" / "pawn.frep"], capture_output=True,
+                          text=True)
     assert done.returncode == 2 and f"{part}: cannot open shared object file" in done.stderr
     run(prefix / "bin" / "fieldfab", "info", ROOT / "examples" / "pawn.frep")
 
 
 def test_the_project_that_the_document_shows(installed, tmp_path):
-    blocks = {block.language: block.text for document in DOCUMENTS if document.name == "docs/install.md" for block in document.blocks}
+    blocks = {block.language: block.text for document in DOCUMENTS if document.name == "docs/install.md"
+              for block in document.blocks}
     (tmp_path / "CMakeLists.txt").write_text(blocks["cmake"])
     (tmp_path / "ball.cpp").write_text(blocks["cpp"])
     run("cmake", "-S", ".", "-B", "build", f"-DCMAKE_PREFIX_PATH={installed}", cwd=tmp_path)
@@ -108,37 +114,45 @@ def without_this_build():
 
 def test_python_finds_what_it_needs_beside_itself(installed):
     folder = installed / "lib" / "python3" / "dist-packages"
-    assert run("/usr/bin/python3", "-m", "fieldfab", "--version", env={**without_this_build(), "PYTHONPATH": str(folder)}) == run(
-        installed / "bin" / "fieldfab", "--version")
-    said = run("/usr/bin/python3", "-c", "import fieldfab as ff; print(ff.__file__, ff.check(ff.shapes.sphere(5)).passed)",
+    assert run("/usr/bin/python3", "-m", "fieldfab", "--version",
+               env={**without_this_build(), "PYTHONPATH": str(folder)}) == run(
+                   installed / "bin" / "fieldfab", "--version")
+    said = run("/usr/bin/python3", "-c",
+               "import fieldfab as ff; print(ff.__file__, ff.check(ff.shapes.sphere(5)).passed)",
                env={**without_this_build(), "PYTHONPATH": str(folder)})
     assert said == f"{folder / 'fieldfab' / '__init__.py'} True\n"
 
 
 def test_the_command_runs_scripts_with_the_module_that_is_installed_with_it(installed, tmp_path):
-    (tmp_path / "ball.py").write_text("import fieldfab as ff\nassert ff.__file__.startswith({!r})\nshape = ff.shapes.sphere(5)\n".format(str(installed)))
+    (tmp_path / "ball.py").write_text("import fieldfab as ff\nassert ff.__file__.startswith({!r})\n"
+                                      "shape = ff.shapes.sphere(5)\n".format(str(installed)))
     run(installed / "bin" / "fieldfab", "info", tmp_path / "ball.py", env=without_this_build())
 
 
 def test_the_workbench_and_the_plugins_are_where_their_hosts_look(installed):
     workbench = installed / "share" / "freecad" / "Mod" / "Fieldfab"
-    assert {"Init.py", "InitGui.py", "package.xml", "icons", "resources", "fieldfab_workbench"} <= {path.name for path in workbench.iterdir()}
+    assert {"Init.py", "InitGui.py", "package.xml", "icons", "resources",
+            "fieldfab_workbench"} <= {path.name for path in workbench.iterdir()}
     assert not list(workbench.rglob("*.pyc"))
-    assert {path.name for path in (installed / "lib" / "meshlab" / "plugins").iterdir()} == {"libfieldfab_files.so", "libfieldfab_filters.so"}
+    assert {path.name for path in (installed / "lib" / "meshlab" / "plugins").iterdir()} == {
+        "libfieldfab_files.so", "libfieldfab_filters.so"}
 
 
 def test_the_completion_and_the_manual_follow_the_command(installed, tmp_path):
     run("/usr/bin/python3", ROOT / "packaging" / "make_man.py", installed / "bin" / "fieldfab", tmp_path / "fieldfab.1")
-    assert subprocess.run(["man", "--warnings", "-l", tmp_path / "fieldfab.1"], capture_output=True, text=True, env={**os.environ, "MANPAGER": "cat"}).stderr == ""
+    assert subprocess.run(["man", "--warnings", "-l", tmp_path / "fieldfab.1"], capture_output=True, text=True,
+                          env={**os.environ, "MANPAGER": "cat"}).stderr == ""
     assert ".SS simulate" in (tmp_path / "fieldfab.1").read_text()
     completion = installed / "share" / "bash-completion" / "completions" / "fieldfab"
-    asked = f'source {completion}; COMP_WORDS=(fieldfab "$@"); COMP_CWORD=$#; _fieldfab {installed / "bin" / "fieldfab"}; echo "${{COMPREPLY[*]}}"'
+    asked = (f'source {completion}; COMP_WORDS=(fieldfab "$@"); COMP_CWORD=$#; '
+             f'_fieldfab {installed / "bin" / "fieldfab"}; echo "${{COMPREPLY[*]}}"')
     assert run("bash", "-c", asked, "bash", "sim").strip() == "simulate"
     assert "--voxel" in run("bash", "-c", asked, "bash", "mesh", "--v").split()
 
 
 def test_thumbnails(installed, tmp_path):
     """A desktop's name for a thumbnail may end in anything."""
-    run(installed / "libexec" / "fieldfab" / "thumbnailer", ROOT / "examples" / "pawn.frep", tmp_path / "thumbnail.XYZ", "128",
+    run(installed / "libexec" / "fieldfab" / "thumbnailer", ROOT / "examples" / "pawn.frep", tmp_path / "thumbnail.XYZ",
+        "128",
         env={**os.environ, "PATH": f"{installed / 'bin'}:{os.environ['PATH']}"})
     assert (tmp_path / "thumbnail.XYZ").read_bytes().startswith(b"\x89PNG")

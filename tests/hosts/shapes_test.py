@@ -1,4 +1,5 @@
-"""Every function of the library: its volume or area in closed form, its value at points, a symmetry; and what it says of distances."""
+"""Every function of the library: its volume or area in closed form, its value at points, a symmetry, and its promise
+about distances."""
 
 import math
 
@@ -54,7 +55,8 @@ VOLUMES = {
     "exact_box": (s.exact_box(2, 1, 1.5), 3),
     "rounded_box": (
         s.rounded_box(2, 1.4, 1.2, 0.3),
-        1.4 * 0.8 * 0.6 + 0.6 * (1.4 * 0.8 + 1.4 * 0.6 + 0.8 * 0.6) + math.pi * 0.09 * (1.4 + 0.8 + 0.6) + 4 / 3 * math.pi * 0.027,
+        1.4 * 0.8 * 0.6 + 0.6 * (1.4 * 0.8 + 1.4 * 0.6 + 0.8 * 0.6) + math.pi * 0.09 * (1.4 + 0.8 + 0.6)
+        + 4 / 3 * math.pi * 0.027,
     ),
     "cylinder": (s.cylinder(1, 1.5), 1.5 * math.pi),
     "exact_cylinder": (s.exact_cylinder(1, 1.5), 1.5 * math.pi),
@@ -118,7 +120,8 @@ def test_triangles_and_outlines_go_either_way_round():
     same(s.triangle(0, 2, 3, 0, -1, -1), at(AREAS["triangle"][0]))
     corners = [(-3, -3), (3, -3), (3, 3), (1, 3), (1, 0), (-1, 0), (-1, 3), (-3, 3)]
     same(s.outline(corners[::-1]), at(s.outline(corners)))
-    spiral = [(0, 0), (3, 0), (3, 3), (-2, 3), (-2, -2), (2, -2), (2, -1.5), (-1.5, -1.5), (-1.5, 2.5), (2.5, 2.5), (2.5, 0.5), (0, 0.5)]
+    spiral = [(0, 0), (3, 0), (3, 3), (-2, 3), (-2, -2), (2, -2), (2, -1.5), (-1.5, -1.5), (-1.5, 2.5), (2.5, 2.5),
+              (2.5, 0.5), (0, 0.5)]
 
     def winding(x, y):
         inside = np.zeros(x.shape, bool)
@@ -169,10 +172,12 @@ def test_threads():
     turn = 0.7
     near = (np.abs(POINTS[2]) < 2.5) & (np.hypot(POINTS[0], POINTS[1]) > 2)  # and far from the ends
     x, y, z = (axis[near] for axis in POINTS)
-    screwed = bolt(x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn), z + turn / (2 * math.pi))
+    screwed = bolt(x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn),
+                   z + turn / (2 * math.pi))
     assert np.allclose(bolt(x, y, z), screwed, atol=1e-3)  # a helix of its pitch, right-handed
     depth = 0.625 * math.sqrt(3) / 2
-    assert (bolt(x, y, z)[np.hypot(x, y) < 3 - depth - 1e-3] < 0).all() and (bolt(x, y, z)[np.hypot(x, y) > 3] > 0).all()
+    assert ((bolt(x, y, z)[np.hypot(x, y) < 3 - depth - 1e-3] < 0).all()
+            and (bolt(x, y, z)[np.hypot(x, y) > 3] > 0).all())
     # ISO 68-1: as much thread as gap at the pitch diameter.
     angle = np.linspace(0, 2 * math.pi, 4001)[:-1]
     pitch_radius = 3 - 3 / 8 * math.sqrt(3) / 2
@@ -201,9 +206,11 @@ def test_blend():
         np.minimum(a(x, y, z), z), np.sqrt(np.abs(a(x, y, z))) + np.sqrt(np.abs(z)) - math.sqrt(0.5)))
 
 
-@covers("smooth_union", "smooth_intersection", "smooth_difference", "chamfer_union", "chamfer_intersection", "chamfer_difference")
+@covers("smooth_union", "smooth_intersection", "smooth_difference", "chamfer_union", "chamfer_intersection",
+        "chamfer_difference")
 def test_fillets_and_chamfers():
-    # Two planes at a right angle: the fillet is a cylinder of that radius, the chamfer a plane that cuts off `size` of each.
+    # Two planes at a right angle: the fillet is a cylinder of that radius, the chamfer a plane that cuts off `size` of
+    # each.
     a, b = s.plane(1, 0, 0, 0), s.plane(0, 1, 0, 0)
     inside = lambda shape, x, y: shape(x, y, 0) < 0
     assert not inside(s.smooth_union(a, b, 1), 1 - math.sqrt(0.5) + 0.01, 1 - math.sqrt(0.5) + 0.01)
@@ -289,7 +296,8 @@ def test_every_function_is_tested():
 
 @pytest.mark.parametrize("name", sorted(n for n in SHAPES if LIBRARY[n]["distance"]))
 def test_distances_are_what_the_docstring_says(name):
-    """A bound never changes faster than one in one; an exact distance leads, along its gradient, straight to the surface."""
+    """A bound never changes by more than the distance between two points. An exact distance leads, along its gradient,
+    straight to the surface."""
     said = LIBRARY[name]["distance"]
     assert {"exact": "exact distance", "bound": "a bound", "neither": "neither"}[said] in getattr(s, name).__doc__
     shape = VOLUMES.get(name, AREAS.get(name, (s.plane(1, 2, 3, 0.5) if name == "plane" else None, None)))[0]

@@ -1,4 +1,5 @@
-"""`fieldfab simulate` on the programs that the jobs of examples/cam write: clean as they are; faults planted in them are found."""
+"""`fieldfab simulate` on the programs of the jobs in examples/cam: they run clean, and faults planted in them are
+found."""
 
 import json
 import random
@@ -20,7 +21,8 @@ class Example:
     def __init__(self, name, folder):
         self.folder, self.name = folder, name
         # Models are named relative to the job.
-        self.job_text = re.sub(r'model = "([^"]+)"', lambda m: f'model = "{(EXAMPLES / m[1]).resolve()}"', (EXAMPLES / f"{name}.toml").read_text())
+        self.job_text = re.sub(r'model = "([^"]+)"', lambda m: f'model = "{(EXAMPLES / m[1]).resolve()}"',
+                               (EXAMPLES / f"{name}.toml").read_text())
         self.job = self.job_with()
         path = folder / ("program.rml" if "modela" in name else "program.ngc")
         done = run("cam", self.job, "-o", path)
@@ -34,7 +36,8 @@ class Example:
 
     def job_with(self, tag="", **of_first_tool):
         """The job, its first tool with other sizes."""
-        head, tool, rest = self.job_text.split("[[tool]]", 2) if self.job_text.count("[[tool]]") > 1 else (*self.job_text.split("[[tool]]"), None)
+        head, tool, rest = (self.job_text.split("[[tool]]", 2) if self.job_text.count("[[tool]]") > 1
+                            else (*self.job_text.split("[[tool]]"), None))
         body, *operations = tool.split("[[operation]]")
         body = "\n".join(line for line in body.splitlines() if line.split(" = ")[0] not in of_first_tool)
         body += "".join(f"\n{key} = {value}" for key, value in of_first_tool.items()) + "\n\n"
@@ -51,10 +54,11 @@ class Example:
         return {**json.loads(report.read_text()), "code": done.returncode}
 
     def cuts(self, least):
-        """Indices of straight feeds that take away more than so many mm3, the next line being one, too. Up to the first stop: then the part
-        is turned over."""
+        """Indices of straight feeds that remove more than so many mm3 and that a straight feed follows. Only up to the
+        first stop: there the part is turned over."""
         end = next((i for i, line in enumerate(self.lines) if line.startswith("M0")), len(self.lines) - 1)
-        return [i for i in range(end) if self.removed.get(i + 1, 0) > least and self.lines[i].startswith("G1 ") and self.lines[i + 1].startswith("G1 ")]
+        return [i for i in range(end) if self.removed.get(i + 1, 0) > least and self.lines[i].startswith("G1 ")
+                and self.lines[i + 1].startswith("G1 ")]
 
 
 @pytest.fixture(scope="module", params=["pcb_gcode", "text_vcarve", "bearing", "knob_five_axis"])
@@ -78,7 +82,8 @@ def test_gouges(example):
     deeper = 0.4
     cuts = example.cuts(0.002)
     if example.name == "knob_five_axis":
-        cuts = []  # its twin in simulate_test.py has them: here the part under a leaning tool is not known in closed form
+        # Its twin in simulate_test.py has cuts; here the part under a leaning tool is not known in closed form.
+        cuts = []
     if example.name == "bearing":
         cuts = [i for i in rng.sample(cuts, 300) if example.tool[i] == 2
                 and ball_in_part({**example.at[i], "Z": example.at[i]["Z"] - deeper}, 1) > 0.25]
@@ -112,7 +117,8 @@ def test_short_bits_and_long_holders(example):
     """The first tool's flutes end 0.05 mm above its tip; then its holder does."""
     thick = {"pcb_gcode": 0.397, "text_vcarve": 6, "bearing": 3, "knob_five_axis": 8}[example.name]
     for tag, kind, sizes in (("_s", "shank contact", {"flute": 0.05, "length": 20, "shank": thick}),
-                             ("_h", "holder contact", {"flute": 0.05, "length": 0.05, "holder_diameter": 40, "holder_length": 30})):
+                             ("_h", "holder contact",
+                              {"flute": 0.05, "length": 0.05, "holder_diameter": 40, "holder_length": 30})):
         result = example.simulate(example.lines[:2000], tag, example.job_with(tag, **sizes))
         assert result["code"] == 1 and kind in {e["kind"] for e in result["events"]}, (tag, result["events"][:3])
         assert all(example.tool[e["line"] - 1] == 1 for e in result["events"] if e["kind"] == kind)
@@ -121,7 +127,8 @@ def test_short_bits_and_long_holders(example):
 def test_the_modela_program(tmp_path):
     """RML has no rapids with names; what is too deep is found."""
     example = Example("pcb_modela", tmp_path)
-    i = next(i for i, line in enumerate(example.lines) if example.removed.get(i + 1, 0) > 0.01 and line.endswith(",-4;"))
+    i = next(i for i, line in enumerate(example.lines)
+             if example.removed.get(i + 1, 0) > 0.01 and line.endswith(",-4;"))
     lines = list(example.lines)
     lines[i] = lines[i].replace(",-4;", ",-12;")
     result = example.simulate(lines, "_g")

@@ -41,7 +41,8 @@ NASTY = '(<script>alert `x`</script> &amp; "so" \'quoted\' \xfcber)'
 
 
 def program(gouge=-1.0, rapid=False, left_out=None):
-    """Faces the plate row by row; the row at y = 1 goes down to `gouge` in its middle, `rapid` makes a rapid of the row at y = 9."""
+    """Faces the plate row by row. The row at y = 1 goes down to `gouge` in its middle; `rapid` makes a rapid of the row
+    at y = 9."""
     lines = ["G21 G90", "T1 M6", "S10000 M3", "G0 Z5", "G0 X-24 Y-15", "G1 Z-1 F600"]
     for number, y in enumerate(range(-15, 18, 4)):
         there, back = (24, -24) if number % 2 == 0 else (-24, 24)
@@ -56,7 +57,8 @@ def program(gouge=-1.0, rapid=False, left_out=None):
 
 
 def run(*args, timeout=300):
-    return subprocess.run([str(COMMAND), *map(str, args)], capture_output=True, text=True, errors="replace", timeout=timeout)
+    return subprocess.run([str(COMMAND), *map(str, args)], capture_output=True, text=True, errors="replace",
+                          timeout=timeout)
 
 
 @pytest.fixture(scope="module")
@@ -76,7 +78,8 @@ def read_ply(path):
     head, body = data.split(b"end_header\n", 1)
     kinds = {"float": "<f4", "int": "<i4", "uchar": "u1"}
     count = {name: int(n) for name, n in re.findall(r"element (\w+) (\d+)", head.decode())}
-    row = np.dtype([(name, kinds[kind]) for kind, name in re.findall(r"property (float|int|uchar) (\w+)\n", head.decode())])
+    row = np.dtype([(name, kinds[kind])
+                    for kind, name in re.findall(r"property (float|int|uchar) (\w+)\n", head.decode())])
     vertices = np.frombuffer(body, row, count["vertex"])
     faces = np.frombuffer(body[vertices.nbytes:], np.dtype([("n", "u1"), ("at", "<i4", 3)]), count["face"])
     assert len(body) == vertices.nbytes + faces.nbytes and (faces["n"] == 3).all()
@@ -155,7 +158,8 @@ def distance_of_plate(p):
 
 def test_ply_holds_deviations_colours_and_lines(folder):
     out = folder / "part.ply"
-    done = run("simulate", folder / "gouge.nc", "--setup", folder / "setup.toml", "-o", out, "--target", folder / "plate.frep")
+    done = run("simulate", folder / "gouge.nc", "--setup", folder / "setup.toml", "-o", out, "--target",
+               folder / "plate.frep")
     assert done.returncode == 1, done.stderr
     vertices, faces = read_ply(out)
     assert vertices.dtype.names == ("x", "y", "z", "red", "green", "blue", "deviation", "line", "tool")
@@ -166,7 +170,8 @@ def test_ply_holds_deviations_colours_and_lines(folder):
     assert plain.mean() > 0.9 and off.max() < 2e-3
 
     red, green, blue = (vertices[c].astype(int) for c in ("red", "green", "blue"))
-    gouged, left, fine = vertices["deviation"] < -0.05, vertices["deviation"] > 0.05, np.abs(vertices["deviation"]) < 0.05
+    gouged, left, fine = (vertices["deviation"] < -0.05, vertices["deviation"] > 0.05,
+                          np.abs(vertices["deviation"]) < 0.05)
     assert gouged.sum() > 100 and left.sum() > 100
     assert (red[gouged] > blue[gouged] + 60).all() and (blue[left] > red[left] + 60).all()
     assert (np.abs(red[fine] - blue[fine]) < 5).all() and (np.abs(red[fine] - green[fine]) < 5).all()
@@ -191,7 +196,8 @@ def test_other_meshes_stay_as_they_are(folder):
 
 def test_the_page_tells_everything_and_runs_nothing(folder):
     page_file, json_file = folder / "report.html", folder / "report.json"
-    done = run("simulate", folder / "gouge.nc", "--setup", folder / "setup.toml", "--report", page_file, "--report", json_file)
+    done = run("simulate", folder / "gouge.nc", "--setup", folder / "setup.toml", "--report", page_file, "--report",
+               json_file)
     assert done.returncode == 1, done.stderr
     events = json.loads(json_file.read_text())["events"]
     assert {e["kind"] for e in events} == {"gouge", "rapid contact"} and {e["tool"] for e in events} == {1}
@@ -266,9 +272,11 @@ def test_python_writes_them_too(folder):
     simulation.save(folder / "python.ply")
     simulation.html(folder / "python.html")
     vertices, _ = read_ply(folder / "python.ply")
-    assert (simulation.deviation == vertices["deviation"]).all() and (simulation.tools_of_vertices == vertices["tool"]).all()
+    assert ((simulation.deviation == vertices["deviation"]).all()
+            and (simulation.tools_of_vertices == vertices["tool"]).all())
     assert (simulation.colours == np.stack([vertices["red"], vertices["green"], vertices["blue"]], axis=1)).all()
-    assert "is wrong" in Page((folder / "python.html").read_text(encoding="utf-8")).text.replace("are wrong", "is wrong")
+    assert "is wrong" in Page((folder / "python.html").read_text(encoding="utf-8")).text.replace(
+        "are wrong", "is wrong")
     with pytest.raises(ff.Error):
         simulation.html(folder / "none" / "x.html")
     with pytest.raises(ff.Error):
@@ -279,7 +287,8 @@ def test_what_is_cut_away_altogether_has_a_page_too(folder):
     setup, page = folder / "tiny.toml", folder / "tiny.html"
     setup.write_text(SETUP.replace("[-20, -15, -8]", "[-2, -2, -1]").replace("[20, 15, 0]", "[2, 2, 0]"))
     (folder / "tiny.nc").write_text("T1 M6\nS1000 M3\nG0 X-9 Y0 Z5\nG0 Z-2\nG1 X9 F300\nM2\n")
-    done = run("simulate", folder / "tiny.nc", "--setup", setup, "--report", page, "-o", folder / "tiny.ply", "--picture", folder / "tiny.png")
+    done = run("simulate", folder / "tiny.nc", "--setup", setup, "--report", page, "-o", folder / "tiny.ply",
+               "--picture", folder / "tiny.png")
     assert done.returncode == 0, done.stderr
     assert "Material left0 mm\u00b3" in Page(page.read_text(encoding="utf-8")).text.replace("\n", "")
     assert len(read_ply(folder / "tiny.ply")[0]) == 0
@@ -302,7 +311,8 @@ def test_wrong_names_end_with_one_clear_line(folder, option, name, wanted):
 
 
 def test_colours_need_what_they_tell_of(folder):
-    base = ("simulate", folder / "good.nc", "--setup", folder / "untargeted.toml", "--cell", 1, "--picture", folder / "c.png")
+    base = ("simulate", folder / "good.nc", "--setup", folder / "untargeted.toml", "--cell", 1, "--picture",
+            folder / "c.png")
     done = run(*base, "--colours", "deviation")
     assert done.returncode == 2 and "there is no target" in done.stderr and len(done.stderr.strip().splitlines()) == 1
     for colours in ("tool", "line"):

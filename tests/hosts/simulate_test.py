@@ -1,4 +1,5 @@
-"""`fieldfab simulate`: programs of our own CAM run clean, and every planted fault is found, at its line, and nothing else."""
+"""`fieldfab simulate`: programs of our own CAM run clean. Every planted fault is found, at its line, and nothing
+else."""
 
 import json
 import math
@@ -22,7 +23,8 @@ dome = sqrt(square(x + 8) + square(y) + square(z + 9)) - 9
 pocket = max(max(abs(x - 9) - 5, abs(y) - 8), -(z + 6.5))
 max(min(plate, max(dome, -(z + 8))), -pocket)
 """
-KNOB = "min(max(sqrt(x*x + y*y + (z+4)*(z+4)) - 9 - 0.4*sin(x)*cos(y), -z - 2), max(max(abs(x) - 13, abs(y) - 13), abs(z+3) - 3))"
+KNOB = ("min(max(sqrt(x*x + y*y + (z+4)*(z+4)) - 9 - 0.4*sin(x)*cos(y), -z - 2), max(max(abs(x) - 13, abs(y) - 13), "
+        "abs(z+3) - 3))")
 TOOLS = """
 [[tool]]
 number = 1
@@ -74,7 +76,8 @@ class Program:
         machine, model, operations = JOBS[name]
         self.folder, self.name = folder, name
         (folder / f"{name}.frep").write_text(model)
-        self.job_text = f'name = "{name}"\nmachine = "{machine}"\n[input]\nmodel = "{name}.frep"\n[stock]\nmargin = 2\ntop = 0.5\n{TOOLS}{operations}'
+        self.job_text = (f'name = "{name}"\nmachine = "{machine}"\n[input]\nmodel = "{name}.frep"\n[stock]\n'
+                         f'margin = 2\ntop = 0.5\n{TOOLS}{operations}')
         self.job = folder / f"{name}.toml"
         self.job.write_text(self.job_text)
         path = folder / f"{name}.ngc"
@@ -98,10 +101,12 @@ class Program:
     def feeds(self, tool):
         """Indices of straight feeds of a tool that are followed by another one."""
         return [i for i in range(len(self.lines) - 1)
-                if self.tool[i] == tool and self.lines[i].startswith("G1") and self.lines[i + 1].startswith("G1") and "X" in self.at[i]]
+                if self.tool[i] == tool and self.lines[i].startswith("G1") and self.lines[i + 1].startswith("G1")
+                and "X" in self.at[i]]
 
     def furthest(self, i):
-        """The greatest x that a line goes to; of an arc, where it bulges (an arc may begin further out: that is not its fault)."""
+        """The greatest x that a line goes to; of an arc, the x where it bulges. (An arc may begin further out: that is
+        not its fault.)"""
         start, end = self.at[i - 1], self.at[i]
         most = end.get("X", -9999)
         if self.lines[i][:2] in ("G2", "G3"):
@@ -136,7 +141,8 @@ def where(result, kind):
 
 
 def passes(result, kind):
-    """The lines of the passes that events of a kind are in: each event tells the worst line, and its pass's first and last."""
+    """The lines of the passes with events of a kind: each event names the worst line, and the first and last line of
+    its pass."""
     return {line for e in result["events"] if e["kind"] == kind for line in range(e["first_line"], e["last_line"] + 1)}
 
 
@@ -174,7 +180,8 @@ def depth_in_part(name, at):
     for i in range(400):  # on a spiral round the ball
         z = 1 - 2 * (i + 0.5) / 400
         r, angle = math.sqrt(1 - z * z), 2.399963 * i
-        deepest = max(deepest, -(knob if name == "knob" else dome)(*(centre + 2 * np.array([r * math.cos(angle), r * math.sin(angle), z]))))
+        deepest = max(deepest, -(knob if name == "knob" else dome)(
+            *(centre + 2 * np.array([r * math.cos(angle), r * math.sin(angle), z]))))
     return deepest
 
 
@@ -203,9 +210,10 @@ def test_gouges_are_found_at_their_line(program):
 
 def test_rapids_through_stock_are_found_at_their_line(program):
     rng = random.Random(2)
-    # No ridges thinner than a cell, which may lie between its points, and no shavings thinner than `touch`: both are told by what finer
-    # cells make of their volume.
-    fine = {record["line"]: record["removed"] for record in program.simulate(program.lines, program.job, "_fine", cell=0.15)["lines"]}
+    # No ridges thinner than a cell, which may lie between its points, and no shavings thinner than `touch`. Finer cells
+    # tell both by their volume.
+    fine = {record["line"]: record["removed"]
+            for record in program.simulate(program.lines, program.job, "_fine", cell=0.15)["lines"]}
     candidates = [i for i in program.feeds(1) + program.feeds(2)
                   if program.removed.get(i + 1, 0) > 1.5 and fine[i + 1] > 0.75 * program.removed[i + 1]]
     assert len(candidates) > 60
@@ -214,7 +222,8 @@ def test_rapids_through_stock_are_found_at_their_line(program):
         lines = list(program.lines)
         lines[i] = "G0" + lines[i][2:]
         result = program.simulate(lines, program.job, f"_r{number}")
-        return None if only(result, "rapid contact") and where(result, "rapid contact") == [i + 1] else f"line {i + 1}: {result['events']}"
+        return (None if only(result, "rapid contact") and where(result, "rapid contact") == [i + 1]
+                else f"line {i + 1}: {result['events']}")
 
     failed = each(rng.sample(candidates, 36), plant)
     assert not failed, f"{len(failed)}: {failed[:3]}"
@@ -222,9 +231,11 @@ def test_rapids_through_stock_are_found_at_their_line(program):
 
 @pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_missing_retracts_are_found(program):
-    """Without the lift the next rapid goes through what stands in its way. (Where axes turn, machine z is no height.)"""
+    """Without the lift the next rapid goes through what stands in its way. (Where axes turn, machine z is not a
+    height.)"""
     rng = random.Random(3)
-    candidates = [i for i in range(len(program.lines) - 1) if re.fullmatch(r"G0 Z[\d.]+", program.lines[i]) and program.tool[i] == 1
+    candidates = [i for i in range(len(program.lines) - 1)
+                  if re.fullmatch(r"G0 Z[\d.]+", program.lines[i]) and program.tool[i] == 1
                   and re.match(r"G0 X", program.lines[i + 1]) and program.at[i - 1].get("Z", 9) < -3]
 
     def plant(number, i):
@@ -242,15 +253,17 @@ def test_missing_retracts_are_found(program):
 
 
 def test_short_flutes_are_found(program):
-    """Flutes that are shorter than the cut is deep: the shank meets material, wherever the cutter does, and nowhere else."""
+    """Flutes shorter than the cut is deep: the shank meets material, wherever the cutter does, and nowhere else."""
     flutes = [0.4 + 0.1 * k for k in range(12)]
 
     def plant(number, flute):
         setup = program.with_job(f"_s{number}", lambda text: text.replace("flute = 16", f"flute = {flute:.2f}"))
         result = program.simulate(program.lines, setup, f"_s{number}")
         lines = where(result, "shank contact")
-        ok = only(result, "shank contact") and all(program.tool[line - 1] == 1 and program.removed[line] > 0 for line in lines)
-        return None if ok else f"flute {flute}: {[e for e in result['events'] if e['kind'] != 'shank contact'][:3]} {len(lines)}"
+        ok = (only(result, "shank contact")
+              and all(program.tool[line - 1] == 1 and program.removed[line] > 0 for line in lines))
+        return (None if ok
+                else f"flute {flute}: {[e for e in result['events'] if e['kind'] != 'shank contact'][:3]} {len(lines)}")
 
     failed = each(flutes, plant)
     assert not failed, f"{len(failed)}: {failed[:3]}"
@@ -263,13 +276,15 @@ def test_holders_that_reach_the_stock_are_found(program):
     top = {"dome": 0.5, "knob": 5.9}[program.name]  # of the stock: the part's bounds may be found a little loose
 
     def plant(number, length):
-        setup = program.with_job(f"_h{number}", lambda text: text.replace("flute = 16\nlength = 30", f"flute = {length}\nlength = {length}"))
+        setup = program.with_job(f"_h{number}", lambda text: text.replace(
+            "flute = 16\nlength = 30", f"flute = {length}\nlength = {length}"))
         result = program.simulate(program.lines, setup, f"_h{number}")
         lines = where(result, "holder contact")
         if lowest + length > top + 0.2:
             return None if not result["events"] else f"length {length}: false alarm {result['events'][:2]}"
         ok = only(result, "holder contact") and all(program.tool[line - 1] == 1 for line in lines)
-        low = all(min(program.at[line - 1]["Z"], program.at[line - 2].get("Z", 99)) + length < top + 0.2 for line in lines)
+        low = all(min(program.at[line - 1]["Z"], program.at[line - 2].get("Z", 99)) + length < top + 0.2
+                  for line in lines)
         return None if ok and low else f"length {length}: {result['events'][:3]}"
 
     failed = each(lengths, plant)
@@ -294,8 +309,10 @@ def test_over_travel_is_found_at_its_lines(program):
         surely = {i + 1 for i in moves if program.furthest(i) > limit + 0.01}  # arcs are looked at in chords
         maybe = {i + 1 for i in moves if program.furthest(i) > limit + 1e-6}
         found = passes(result, "over-travel")
-        ends = {e[key] for e in result["events"] if e["kind"] == "over-travel" for key in ("line", "first_line", "last_line")}
-        return None if surely <= found and ends <= maybe and only(result, "over-travel") else f"{limit}: {surely - found} {ends - maybe}"
+        ends = {e[key] for e in result["events"] if e["kind"] == "over-travel"
+                for key in ("line", "first_line", "last_line")}
+        return (None if surely <= found and ends <= maybe and only(result, "over-travel")
+                else f"{limit}: {surely - found} {ends - maybe}")
 
     reach = max(at.get("X", -99) for at in program.at)
     failed = each([round(reach - rng.uniform(0.1, 8), 2) for _ in range(8)], plant)
@@ -304,17 +321,19 @@ def test_over_travel_is_found_at_its_lines(program):
 
 @pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_fixtures_in_the_way_are_found(program):
-    """A clamp on the stock's edge: lines whose tool comes near it, and no others; the same clamp beside everything is no fault.
-    Lines are told by x, which turns in the other program."""
+    """A clamp on the stock's edge: lines whose tool comes near it are reported, and no others. The same clamp beside
+    everything is no fault. Lines are chosen by x, which turns in the other program."""
 
     def plant(number, inner):
         setup = program.folder / f"{program.name}_c{number}.toml"
         setup.write_text(setup_of(program, f"[fixture]\nlower = [{inner}, -5, -8]\nupper = [{inner + 10}, 5, 3]\n"))
         result = program.simulate(program.lines, setup, f"_c{number}")
-        reach = max(at["X"] for i, at in enumerate(program.at) if "X" in at and "Y" in at and abs(at["Y"]) < 8 and at.get("Z", 9) < 3)
+        reach = max(at["X"] for i, at in enumerate(program.at)
+                    if "X" in at and "Y" in at and abs(at["Y"]) < 8 and at.get("Z", 9) < 3)
         if inner > reach + 3.5:
             return None if not result["events"] else f"{inner}: false alarm {result['events'][:2]}"
-        near = all(max(program.at[line - 1]["X"], program.at[line - 2].get("X", -99)) + 12.1 > inner for line in where(result, "fixture contact"))
+        near = all(max(program.at[line - 1]["X"], program.at[line - 2].get("X", -99)) + 12.1 > inner
+                   for line in where(result, "fixture contact"))
         return None if only(result, "fixture contact") and near else f"{inner}: {result['events'][:3]}"
 
     failed = each([16, 17, 18, 19, 20, 21, 30, 40], plant)
@@ -342,10 +361,13 @@ def test_a_wrong_length_offset_is_found(program):
 
 
 BOX = "lower = [-60, -30, -40]\nupper = [60, 30, 0]"
-REAL = {  # of LinuxCNC's five-axis machines: machine, stock, tools, moves, mm3 that are removed, greatest share of feed in air
+# Programs of LinuxCNC's five-axis machines: machine, stock, tools, moves, bounds of the removed mm3, greatest share of
+# feed in air.
+REAL = {
     "5ax_boat-xyzac": ("five_axis_ac", BOX, ((10, "flat"), (6, "ball")), 1832, (60e3, 70e3), 0.15),
     "5ax_boat-xyzbc": ("five_axis_bc", BOX, ((10, "flat"), (6, "ball")), 1821, (50e3, 60e3), 0.05),
-    "5ax_impeller-7bl-xyzac": ("five_axis_ac", "cylinder = [0, 0, 32, 0, 35]", ((4, "ball"),), 4492, (20e3, 112e3), 0.6),
+    "5ax_impeller-7bl-xyzac": ("five_axis_ac", "cylinder = [0, 0, 32, 0, 35]", ((4, "ball"),), 4492, (20e3, 112e3),
+                               0.6),
 }
 
 
@@ -363,17 +385,20 @@ def open_edges(path):
 
 @pytest.mark.parametrize("name", sorted(REAL))
 def test_linuxcnc_five_axis_programs_leave_closed_meshes(name, tmp_path):
-    """Each on its own kinematics. The stocks are larger than what their authors had: rapids may go through them, nothing else is wrong."""
+    """Each program on its own kinematics. The stocks are larger than what their authors had: rapids may go through
+    them, and nothing else is wrong."""
     machine, stock, tools, moves, removed, air = REAL[name]
     setup = tmp_path / "setup.toml"
     setup.write_text(f'cell = 0.5\nmachine = "{machine}"\n[stock]\n{stock}\n' + "".join(
-        f'[[tool]]\nnumber = {n}\nshape = "{shape}"\ndiameter = {d}\nflute = 40\n' for n, (d, shape) in enumerate(tools, 1)))
+        f'[[tool]]\nnumber = {n}\nshape = "{shape}"\ndiameter = {d}\nflute = 40\n'
+        for n, (d, shape) in enumerate(tools, 1)))
     program = ROOT.parent / "shared" / "data" / "gcode" / f"{name}.ngc"
     done = run("simulate", program, "--setup", setup, "-o", tmp_path / "left.stl", "--report", tmp_path / "report.json")
     assert done.returncode in (0, 1), done.stderr
     report = json.loads((tmp_path / "report.json").read_text())
     assert {e["kind"] for e in report["events"]} <= {"rapid contact"}
-    assert report["moves"] >= moves and removed[0] < report["removed"] < removed[1] and report["air_share"] < air, done.stdout
+    assert report["moves"] >= moves and removed[0] < report["removed"] < removed[1] and report["air_share"] < air, (
+        done.stdout)
     assert open_edges(tmp_path / "left.stl") == 0
 
 
@@ -425,7 +450,8 @@ def test_python_cuts_a_stock():
 
     stock = ff.stock.Stock([0, 0, -5, 20, 20, 0], cell=0.25)
     before = stock.copy()
-    removed = stock.cut({"shape": "flat", "diameter": 4, "flute": 10}, np.array([[-5, 10, -2], [25, 10, -2.0], [25, 10, 5]]))
+    removed = stock.cut({"shape": "flat", "diameter": 4, "flute": 10},
+                        np.array([[-5, 10, -2], [25, 10, -2.0], [25, 10, 5]]))
     assert removed.shape == (2,) and abs(removed[0] - 20 * 4 * 2) < 12 and removed[1] == 0
     assert abs(before.volume - 2000) < 1e-6 and abs(stock.mesh().volume - (2000 - 160)) < 5
     leaning = np.array([[10, 10, -4, 1, 0, 2], [12, 10, -4, 1, 0, 2.0]])
@@ -447,7 +473,8 @@ def test_python_simulates(program):
 
 
 def test_python_shows_any_moment(program, tmp_path):
-    """The stock after half of the lines is what half of the program leaves; the surface changes only where it was cut."""
+    """The stock after half of the lines equals what half of the program leaves. The surface changes only where it was
+    cut."""
     import fieldfab as ff
 
     path = program.folder / f"{program.name}.ngc"
@@ -465,7 +492,8 @@ def test_python_shows_any_moment(program, tmp_path):
     changed = surface.update(playback.stock_after(done + 20))
     assert 0 < len(changed) < len(surface) or len(surface) < 8
     mesh, at_once = surface.mesh(), playback.stock_after(done + 20).mesh()
-    assert (np.asarray(mesh.triangles) == np.asarray(at_once.triangles)).all() and (np.asarray(mesh.vertices) == np.asarray(at_once.vertices)).all()
+    assert ((np.asarray(mesh.triangles) == np.asarray(at_once.triangles)).all()
+            and (np.asarray(mesh.vertices) == np.asarray(at_once.vertices)).all())
     assert len(mesh.triangles) <= sum(len(surface.piece(i).triangles) for i in range(len(surface)))
     assert surface.update(playback.stock_after(done + 20)) == []
     assert ended.playback is None
@@ -476,7 +504,8 @@ def test_frames_for_videos(program, tmp_path):
     import fieldfab as ff
 
     setup, path = program.job, program.folder / f"{program.name}.ngc"
-    done = run("simulate", path, "--setup", setup, "--cell", 0.4, "--frames", tmp_path / "frames", "--frame-count", 3, "--size", 160)
+    done = run("simulate", path, "--setup", setup, "--cell", 0.4, "--frames", tmp_path / "frames", "--frame-count", 3,
+               "--size", 160)
     assert done.returncode == 0, done.stderr
     frames = sorted((tmp_path / "frames").iterdir())
     assert [f.name for f in frames] == ["frame_0001.png", "frame_0002.png", "frame_0003.png"]
@@ -490,11 +519,14 @@ def test_frames_for_videos(program, tmp_path):
 
 
 def test_the_slotted_ball_ends_as_it_should(tmp_path):
-    """40,000 moves with both rotary axes turning, overhangs and leaning slots: no contact, nothing off by more than 0.05 mm."""
-    made = subprocess.run(["/usr/bin/python3", str(ROOT / "examples/simulation/slotted_ball.py"), str(tmp_path), "40000"], capture_output=True, text=True)
+    """40,000 moves with both rotary axes turning, overhangs and leaning slots: no contact, no deviation of more than
+    0.05 mm."""
+    made = subprocess.run(["/usr/bin/python3", str(ROOT / "examples/simulation/slotted_ball.py"), str(tmp_path),
+                           "40000"], capture_output=True, text=True)
     assert made.returncode == 0, made.stderr
     report = tmp_path / "report.json"
-    done = run("simulate", tmp_path / "slotted_ball.ngc", "--setup", tmp_path / "slotted_ball.toml", "--cell", 0.5, "--report", report)
+    done = run("simulate", tmp_path / "slotted_ball.ngc", "--setup", tmp_path / "slotted_ball.toml", "--cell", 0.5,
+               "--report", report)
     result = json.loads(report.read_text())
     assert done.returncode == 0 and result["moves"] > 40_000 and not result["events"], done.stderr
     assert result["deviation"]["deepest_gouge"] < 0.05 and result["deviation"]["highest_excess"] < 0.05
@@ -513,7 +545,8 @@ def test_reports_are_the_same_for_any_number_of_threads(program):
     assert len(set(reports)) == 1
 
 
-HARMLESS = "%\nO1000\nG0 G80 G40 G90 G54\nT1 M6\nS1000 M3 M8\nG187 P2\nG0 X-8 Y5 Z5\nG1 Z-1 F300\nG1 X28\nG0 Z5\nM30\n%\n"
+HARMLESS = (
+    "%\nO1000\nG0 G80 G40 G90 G54\nT1 M6\nS1000 M3 M8\nG187 P2\nG0 X-8 Y5 Z5\nG1 Z-1 F300\nG1 X28\nG0 Z5\nM30\n%\n")
 BLOCK = "cell = 0.5\n[stock]\nlower = [0, 0, -5]\nupper = [20, 10, 0]\n[[tool]]\nnumber = 1\ndiameter = 4\nflute = 8\n"
 
 
@@ -543,13 +576,15 @@ def test_the_command_carries_out_what_the_set_up_names(tmp_path):
     (tmp_path / "setup.toml").write_text('dialect = "fanuc"\nprograms = ["first.nc", "second.nc"]\n' + BLOCK)
     (tmp_path / "none.toml").write_text(BLOCK)
     report = tmp_path / "report.json"
-    done = subprocess.run([COMMAND, "simulate", "--setup", tmp_path / "setup.toml", "--report", report, "--report", tmp_path / "page.html"], capture_output=True, text=True)
+    done = subprocess.run([COMMAND, "simulate", "--setup", tmp_path / "setup.toml", "--report", report, "--report",
+                           tmp_path / "page.html"], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     told = json.loads(report.read_text())
     assert [pathlib.Path(p).name for p in told["programs"]] == ["first.nc", "second.nc"] and told["good"]
     assert "Simulation of first.nc, second.nc" in (tmp_path / "page.html").read_text()
     (tmp_path / "second.nc").write_text(HARMLESS.replace("G1 Z-1 F300\nG1 X28", "G0 Z-2\nG0 X28"))
-    done = subprocess.run([COMMAND, "simulate", "--setup", tmp_path / "setup.toml", "--report", report], capture_output=True, text=True)
+    done = subprocess.run([COMMAND, "simulate", "--setup", tmp_path / "setup.toml", "--report", report],
+                          capture_output=True, text=True)
     assert done.returncode == 1 and "second.nc:9: rapid contact" in done.stderr
     event = json.loads(report.read_text())["events"][0]
     assert event["program"] == 1 and event["first_line"] <= event["line"] <= event["last_line"]

@@ -10,7 +10,8 @@ import pytest
 from conftest import BUILD, COMMAND
 from volume_test import FORMATS, files
 
-# FIELDFAB_MUTATIONS says how many of each format, FIELDFAB_MUTATION_SECONDS for how long at most; `./dev fuzz` sets both.
+# FIELDFAB_MUTATIONS says how many of each format are tried, FIELDFAB_MUTATION_SECONDS for how long at most; `./dev
+# fuzz` sets both.
 COUNT = int(os.environ.get("FIELDFAB_MUTATIONS", "150"))
 SECONDS = float(os.environ.get("FIELDFAB_MUTATION_SECONDS", "inf"))
 SEEDS = ("mha", "mha, compressed", "mhd", "nrrd", "nrrd, gzip", "nhdr", "nifti", "nifti, gzip", "nifti, big-endian",

@@ -1,4 +1,4 @@
-"""Volumes through the command: every format, written here from one ball, and everything that can be wrong with a file."""
+"""Volumes through the command: every format, written here from one ball, and every error that a file can have."""
 
 import gzip
 import json
@@ -56,14 +56,16 @@ def refused(path, *options):
 
 def nrrd(encoding="raw", body=None, **fields):
     told = {"type": "uint8", "dimension": "3", "sizes": "24 20 18", "space": "left-posterior-superior",
-            "space directions": "(0.5,0,0) (0,0.75,0) (0,0,1)", "space origin": "(1,2,3)", "encoding": encoding, **fields}
+            "space directions": "(0.5,0,0) (0,0.75,0) (0,0,1)", "space origin": "(1,2,3)", "encoding": encoding,
+            **fields}
     head = "NRRD0004\n" + "".join(f"{key}: {value}\n" for key, value in told.items()) + "\n"
     body = BALL.tobytes() if body is None else body
     return head.encode() + (gzip.compress(body) if encoding == "gzip" else body)
 
 
 def meta(data_file="LOCAL", body=b"", size="24 20 18", **fields):
-    told = {"ObjectType": "Image", "NDims": 3, "DimSize": size, "ElementType": "MET_UCHAR", "ElementSpacing": "0.5 0.75 1",
+    told = {"ObjectType": "Image", "NDims": 3, "DimSize": size, "ElementType": "MET_UCHAR",
+            "ElementSpacing": "0.5 0.75 1",
             "Offset": "1 2 3", **fields, "ElementDataFile": data_file}
     return "".join(f"{key} = {value}\n" for key, value in told.items()).encode() + body
 
@@ -97,8 +99,10 @@ def tiff(rows, palette=False):
     kind = {"u": 1, "i": 2, "f": 3}[rows.dtype.kind]
     data = rows.tobytes()
     colours = struct.pack("<768H", *(257 * (255 - i) for _ in range(3) for i in range(256))) if palette else b""
-    tags = [(256, 4, 1, rows.shape[1]), (257, 4, 1, rows.shape[0]), (258, 3, 1, 8 * rows.dtype.itemsize), (259, 3, 1, 1),
-            (262, 3, 1, 3 if palette else 1), (273, 4, 1, 8), (277, 3, 1, 1), (278, 4, 1, rows.shape[0]), (279, 4, 1, len(data))]
+    tags = [(256, 4, 1, rows.shape[1]), (257, 4, 1, rows.shape[0]), (258, 3, 1, 8 * rows.dtype.itemsize),
+            (259, 3, 1, 1),
+            (262, 3, 1, 3 if palette else 1), (273, 4, 1, 8), (277, 3, 1, 1), (278, 4, 1, rows.shape[0]),
+            (279, 4, 1, len(data))]
     if palette:
         tags.append((320, 3, 768, 8 + len(data)))
     tags.append((339, 3, 1, kind))
@@ -125,12 +129,15 @@ def dicom(number, series="1.2.3", rows=None, slope=1, intercept=0, z=None, direc
     body = element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(8, 0x18, "UI", f"{series}.{number + 1}")
     body += element(8, 0x60, "CS", "CT") + element(0x20, 0xD, "UI", "1.2") + element(0x20, 0xE, "UI", series)
     body += element(0x20, 0x13, "IS", str(number + 1))
-    body += element(0x20, 0x32, "DS", f"1\\2\\{3 + number * SPACING[2] if z is None else z}") + element(0x20, 0x37, "DS", directions)
+    body += (element(0x20, 0x32, "DS", f"1\\2\\{3 + number * SPACING[2] if z is None else z}")
+             + element(0x20, 0x37, "DS", directions))
     body += element(0x28, 2, "US", short(1)) + element(0x28, 4, "CS", "MONOCHROME2")
     body += element(0x28, 0x10, "US", short(rows.shape[0])) + element(0x28, 0x11, "US", short(rows.shape[1]))
     body += element(0x28, 0x30, "DS", f"{SPACING[1]}\\{SPACING[0]}")
-    body += element(0x28, 0x100, "US", short(16)) + element(0x28, 0x101, "US", short(16)) + element(0x28, 0x102, "US", short(15))
-    body += element(0x28, 0x103, "US", short(0)) + element(0x28, 0x1052, "DS", str(intercept)) + element(0x28, 0x1053, "DS", str(slope))
+    body += (element(0x28, 0x100, "US", short(16)) + element(0x28, 0x101, "US", short(16))
+             + element(0x28, 0x102, "US", short(15)))
+    body += (element(0x28, 0x103, "US", short(0)) + element(0x28, 0x1052, "DS", str(intercept))
+             + element(0x28, 0x1053, "DS", str(slope)))
     body += element(0x7FE0, 0x10, "OW", rows.astype("<u2").tobytes())
     return b"\0" * 128 + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(start))) + start + body
 
@@ -143,13 +150,17 @@ def files(tmp_path, contents):
 
 
 VGI = (b"{volume1}\n[representation]\nsize = 24 20 18\ndatatype = float\nbitsperelement = 32\n[file1]\nSkipHeader = 0\n"
-       b"FileFormat = raw\nSize = 24 20 18\nName = other.vol\n{volumeprimitive12}\n[geometry]\nresolution = 0.5 0.75 1\nunit = mm\n")
+       b"FileFormat = raw\nSize = 24 20 18\nName = other.vol\n{volumeprimitive12}\n[geometry]\n"
+       b"resolution = 0.5 0.75 1\nunit = mm\n")
 FORMATS = {
     "raw by its name": ({"ball_24x20x18_uint8.raw": BALL.tobytes()}, ["--spacing", "0.5,0.75,1"], "uint8"),
-    "raw, big-endian": ({"ball_24x20x18_uint16_be.raw": BALL.astype(">u2").tobytes()}, ["--spacing", "0.5,0.75,1"], "uint16"),
-    "raw, type by its size": ({"ball_24x20x18.raw": BALL.astype("<f4").tobytes()}, ["--spacing", "0.5,0.75,1"], "float32"),
+    "raw, big-endian": ({"ball_24x20x18_uint16_be.raw": BALL.astype(">u2").tobytes()}, ["--spacing", "0.5,0.75,1"],
+                        "uint16"),
+    "raw, type by its size": ({"ball_24x20x18.raw": BALL.astype("<f4").tobytes()}, ["--spacing", "0.5,0.75,1"],
+                              "float32"),
     "raw by options": ({"b.raw": b"header!" + BALL.astype(">i4").tobytes()},
-                       ["--dims", "24,20,18", "--type", "int32", "--byte-order", "big", "--skip", "7", "--spacing", "0.5,0.75,1"], "int32"),
+                       ["--dims", "24,20,18", "--type", "int32", "--byte-order", "big", "--skip", "7", "--spacing",
+                        "0.5,0.75,1"], "int32"),
     "vol": ({"ball.vol": BALL.astype("<f4").tobytes(), "ball.vgi": VGI.replace(b"other", b"ball")}, [], "float32"),
     "vgi": ({"ball.vgi": VGI, "other.vol": BALL.astype("<f4").tobytes()}, [], "float32"),
     "mha": ({"ball.mha": meta(body=BALL.tobytes())}, [], "uint8"),
@@ -157,7 +168,8 @@ FORMATS = {
                                           CompressedDataSize=len(zlib.compress(BALL.tobytes())))}, [], "uint8"),
     "mhd": ({"ball.mhd": meta("data.raw", ElementType="MET_SHORT", ElementByteOrderMSB="True"),
              "data.raw": BALL.astype(">i2").tobytes()}, [], "int16"),
-    "mhd, samples at the end": ({"BALL.MHD": meta("data.raw", HeaderSize=-1), "data.raw": b"header" + BALL.tobytes()}, [], "uint8"),
+    "mhd, samples at the end": ({"BALL.MHD": meta("data.raw", HeaderSize=-1), "data.raw": b"header" + BALL.tobytes()},
+                                [], "uint8"),
     "nrrd": ({"ball.nrrd": nrrd()}, [], "uint8"),
     "nrrd, gzip": ({"ball.nrrd": nrrd("gzip")}, [], "uint8"),
     "nrrd, float": ({"ball.nrrd": nrrd(type="float", endian="big", body=BALL.astype(">f4").tobytes())}, [], "float32"),
@@ -167,16 +179,22 @@ FORMATS = {
     "nifti, big-endian": ({"ball.nii": nifti(BALL.astype("i2"), 4, endian=">")}, [], "int16"),
     "nifti, scaled": ({"ball.nii": nifti((BALL.astype("i2") - 10) * 2, 4, 0.5, 10.0)}, [], None),
     "tiff stack": ({f"s/slice{k}.tif": tiff(BALL[k]) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint8"),
-    "tiff stack, palette": ({f"s/{k:03}.tiff": tiff(255 - BALL[k], True) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint8"),
-    "tiff stack, palette of signed numbers": ({f"s/{k}.tif": tiff((255 - BALL[k]).view("i1"), True) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint8"),
-    "tiff stack, 16 bit": ({f"s/a{k + 8}b.TIF": tiff(BALL[k].astype("<u2")) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint16"),
-    "tiff stack, real": ({f"s/{k}.tif": tiff(BALL[k].astype("<f4")) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "float32"),
+    "tiff stack, palette": ({f"s/{k:03}.tiff": tiff(255 - BALL[k], True) for k in range(18)},
+                            ["--spacing", "0.5,0.75,1"], "uint8"),
+    "tiff stack, palette of signed numbers": ({f"s/{k}.tif": tiff((255 - BALL[k]).view("i1"), True) for k in range(18)},
+                                              ["--spacing", "0.5,0.75,1"], "uint8"),
+    "tiff stack, 16 bit": ({f"s/a{k + 8}b.TIF": tiff(BALL[k].astype("<u2")) for k in range(18)},
+                           ["--spacing", "0.5,0.75,1"], "uint16"),
+    "tiff stack, real": ({f"s/{k}.tif": tiff(BALL[k].astype("<f4")) for k in range(18)}, ["--spacing", "0.5,0.75,1"],
+                         "float32"),
     "tiff stack with dimensions.txt": ({**{f"s/{k}.tif": tiff(BALL[k]) for k in range(18)},
-                                        "s/dimensions.txt": b"widthScale = 0.5\nheightScale = 0.75\ndepthScale = 1\n"}, [], "uint8"),
+                                        "s/dimensions.txt": b"widthScale = 0.5\nheightScale = 0.75\ndepthScale = 1\n"},
+                                       [], "uint8"),
     "png stack": ({f"s/x_{k}.png": png(BALL[k]) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint8"),
     "png stack, 16 bit": ({f"s/x_{k}.png": png(BALL[k], 16) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint16"),
     "dicom": ({f"s/I{(k * 7) % 18}": dicom(k) for k in range(18)}, [], None),
-    "dicom, scaled": ({f"s/I{k}.dcm": dicom(k, rows=BALL[k].astype("u2") * 2 + 200, slope=0.5, intercept=-100) for k in range(18)}, [], None),
+    "dicom, scaled": ({f"s/I{k}.dcm": dicom(k, rows=BALL[k].astype("u2") * 2 + 200, slope=0.5, intercept=-100)
+                       for k in range(18)}, [], None),
 }
 
 
@@ -198,7 +216,8 @@ def test_compressed_tiffs_and_pages(tmp_path):
     for k in range(18):
         (tmp_path / f"{k}.png").write_bytes(png(BALL[k]))
     slices = [tmp_path / f"{k}.png" for k in range(18)]
-    for name, options in {"lzw": ["-compress", "LZW"], "zip": ["-compress", "Zip"], "tiles": ["-define", "tiff:tile-geometry=16x16"]}.items():
+    for name, options in {"lzw": ["-compress", "LZW"], "zip": ["-compress", "Zip"],
+                          "tiles": ["-define", "tiff:tile-geometry=16x16"]}.items():
         stack = tmp_path / f"{name}.tif"
         subprocess.run(["convert", *map(str, slices), "-colorspace", "Gray", *options, str(stack)], check=True)
         assert info(stack)["samples"] == list(SIZE)
@@ -233,7 +252,8 @@ def test_oblique_scans_stand_where_their_files_say(tmp_path):
     places = np.array(volume.origin) + (np.stack([i, j, k], 1) * np.array(volume.spacing)) @ axes.T
     run("build", CT / "CT_pitch.nii.gz", "-o", tmp_path / "p.asdf", "--threshold", 100)
     for source in (CT / "CT_pitch.nii.gz", tmp_path / "p.asdf"):
-        mesh = ff.mesh(ff.load(source), voxel=2, bounds=(-200, -250, -200, 200, 250, 250)) if source.suffix == ".asdf" else None
+        mesh = (ff.mesh(ff.load(source), voxel=2, bounds=(-200, -250, -200, 200, 250, 250))
+                if source.suffix == ".asdf" else None)
         if mesh is None:
             mesh = ff.mesh(volume.solid(100), voxel=2, bounds=(-200, -250, -200, 200, 250, 250))
         corners = np.array(mesh.vertices)[np.array(mesh.triangles)]
@@ -277,7 +297,8 @@ BAD = {
     "no slices": {"s/readme.txt": b"nothing"},
     "dicom with a slice missing": {f"s/{k}": dicom(k) for k in range(18) if k != 7},
     "dicom with two series": {f"s/{a}{k}": dicom(k, f"1.2.{a}") for a in (3, 4) for k in range(18)},
-    "a density that is no number": {"b_24x20x18.raw": np.where(BALL == BALL[3, 4, 5], np.nan, BALL).astype("<f4").tobytes()},
+    "a density that is no number": {
+        "b_24x20x18.raw": np.where(BALL == BALL[3, 4, 5], np.nan, BALL).astype("<f4").tobytes()},
     "an infinite density": {"b_24x20x18.raw": np.where(BALL == BALL.max(), np.inf, BALL).astype("<f4").tobytes()},
     "one density only": {"b_24x20x18.raw": (0 * BALL).tobytes()},
 }
@@ -293,8 +314,10 @@ def test_bad_input(tmp_path, name):
 
 def test_bad_options(tmp_path):
     path = files(tmp_path, {"ball_24x20x18_uint8.raw": BALL.tobytes()})
-    for options in (["--threshold", "300"], ["--threshold", "-1"], ["--threshold", "much"], ["--dims", "24,20"], ["--dims", "24,20,19"],
-                    ["--type", "uint7"], ["--spacing", "1,0,1"], ["--crop", "0,0,0,99,5,5"], ["--denoise", "more"], ["--memory", "2X"],
+    for options in (["--threshold", "300"], ["--threshold", "-1"], ["--threshold", "much"], ["--dims", "24,20"],
+                    ["--dims", "24,20,19"],
+                    ["--type", "uint7"], ["--spacing", "1,0,1"], ["--crop", "0,0,0,99,5,5"], ["--denoise", "more"],
+                    ["--memory", "2X"],
                     ["--skip", "5"], ["--levels", "30"]):
         refused(path, *options)
 
@@ -365,11 +388,13 @@ def test_bricks_of_two_processes_make_the_same_file(tmp_path):
     python = ["/usr/bin/python3", "-m", "fieldfab.bricks"]
     environment = {**os.environ, "PYTHONPATH": str(BUILD / "python")}
     for parts in (2, 3):
-        subprocess.run([*python, CT / "engine.nii.gz", "-o", tmp_path / "two.asdf", "--workers", "2", "--parts", str(parts), "--levels", "2"],
+        subprocess.run([*python, CT / "engine.nii.gz", "-o", tmp_path / "two.asdf", "--workers", "2", "--parts",
+                        str(parts), "--levels", "2"],
                        env=environment, check=True, timeout=120)
         assert (tmp_path / "one.asdf").read_bytes() == (tmp_path / "two.asdf").read_bytes()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["one.asdf", "two.asdf"]
-    done = subprocess.run([*python, tmp_path / "nothing.nrrd", "-o", tmp_path / "x.asdf"], env=environment, capture_output=True, text=True)
+    done = subprocess.run([*python, tmp_path / "nothing.nrrd", "-o", tmp_path / "x.asdf"], env=environment,
+                          capture_output=True, text=True)
     assert done.returncode == 2 and len(done.stderr.splitlines()) == 1 and "nothing.nrrd" in done.stderr
 
 
@@ -403,7 +428,8 @@ def test_a_volume_of_3_7_gigabytes(tmp_path):
             web = np.abs(np.sin(x) * np.cos(y) + np.sin(y) * np.cos(z) + np.sin(z) * np.cos(x)) - 0.5
             ball = np.clip(np.sqrt((x - 49.6) ** 2 + (y - 49.6) ** 2 + (z - 49.6) ** 2) - 42, -2, 2)
             file.write((0.5 - np.maximum(web, ball)).astype("<f4").tobytes())
-    measured = subprocess.run(["/usr/bin/time", "-f", "%e %M", COMMAND, "build", path, "-o", tmp_path / "lace.asdf", "--threshold", "0.5"],
+    measured = subprocess.run(["/usr/bin/time", "-f", "%e %M", COMMAND, "build", path, "-o", tmp_path / "lace.asdf",
+                               "--threshold", "0.5"],
                               capture_output=True, text=True)
     seconds, kilobytes = map(float, measured.stderr.split()[-2:])
     print(f"{measured.stdout.strip()}; {seconds} s, {kilobytes / 1e6:.2f} GB")

@@ -1,8 +1,10 @@
-"""Clients with bad manners, for so many seconds: they vanish in the middle, send garbage, flood, hold connections open and read nothing.
+"""Clients with bad manners, for so many seconds: they vanish in the middle, send garbage, flood, hold connections open
+and read nothing.
 
     PYTHONPATH=build/release/python /usr/bin/python3 tests/hosts/web_hostile.py [SECONDS]
 
-A polite client asks for a picture all the while. Prints how long it waited, and how the memory of the server and its workers grew."""
+A polite client asks for a picture all the while. Prints how long it waited, and how the memory of the server and its
+workers grew."""
 
 import asyncio
 import contextlib
@@ -18,9 +20,11 @@ from web_server import Server, Socket, children
 
 PAGE = {"text": "sphere(5) - box(3, 3, 20)", "width": 200, "height": 150}
 # Texts that take long, much memory or deep stacks.
-HEAVY = ["a0 = sphere(1)\n" + "".join(f"a{i + 1} = a{i} | move(a{i}, {1.1**i})\n" for i in range(40)) + "a40\n", "(" * 200_000 + "1" + ")" * 200_000, "gyroid(0.01) & sphere(500)",
+HEAVY = ["a0 = sphere(1)\n" + "".join(f"a{i + 1} = a{i} | move(a{i}, {1.1**i})\n" for i in range(40)) + "a40\n",
+         "(" * 200_000 + "1" + ")" * 200_000, "gyroid(0.01) & sphere(500)",
          "sphere(1" + " + 1" * 100_000 + ")", "box(1e9, 1e9, 1e-9) - " * 2000 + "sphere(1)"]  # fmt: skip
-ADDRESSES = ["/", "/api", "/api/documents", "/api/documents/../../etc/passwd", "/api/jobs/none", "/api/library", "/api/machining", "/page/page.js", "/api/scans/x.nii", "/" + "a" * 9000]
+ADDRESSES = ["/", "/api", "/api/documents", "/api/documents/../../etc/passwd", "/api/jobs/none", "/api/library",
+             "/api/machining", "/page/page.js", "/api/scans/x.nii", "/" + "a" * 9000]
 
 
 async def connection(port):
@@ -31,7 +35,8 @@ async def vanishes(port):
     """Asks for a heavy picture and is gone before it is there."""
     async with aiohttp.ClientSession() as session, session.ws_connect(f"http://127.0.0.1:{port}/api/socket") as socket:
         for number in range(random.randint(1, 8)):
-            await socket.send_str(json.dumps({"number": number, "view": str(number), **PAGE, "text": random.choice(HEAVY), "coarse": True, "smooth": True}))
+            await socket.send_str(json.dumps({"number": number, "view": str(number), **PAGE,
+                                              "text": random.choice(HEAVY), "coarse": True, "smooth": True}))
         await asyncio.sleep(random.random())
         socket._response.connection.transport.abort()
 
@@ -42,12 +47,18 @@ async def sends_garbage(port):
     if kind == 0:
         writer.write(os.urandom(random.randint(1, 60_000)))
     elif kind == 1:
-        writer.write(f"{random.choice(['GET', 'PUT', 'POST', 'DELETE', 'BREW'])} {random.choice(ADDRESSES)} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n".encode() + b"X: " + b"y" * random.randint(1, 20_000) + b"\r\n\r\n" + os.urandom(100))
+        writer.write(f"{random.choice(['GET', 'PUT', 'POST', 'DELETE', 'BREW'])} {random.choice(ADDRESSES)} "
+                     f"HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n".encode() + b"X: " + b"y" * random.randint(1, 20_000)
+                     + b"\r\n\r\n" + os.urandom(100))
     elif kind == 2:
-        body = random.choice([b"[" * 50_000, b'{"text":"' + os.urandom(2000) + b'"}', b'{"text": 1e999}', b"{}", json.dumps({**PAGE, "text": random.choice(HEAVY)}).encode()])
-        writer.write(f"POST /api/{random.choice(['picture', 'look', 'files', 'machine', 'scan', 'pick'])} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Length: {len(body)}\r\n\r\n".encode() + body)
+        body = random.choice([b"[" * 50_000, b'{"text":"' + os.urandom(2000) + b'"}', b'{"text": 1e999}', b"{}",
+                              json.dumps({**PAGE, "text": random.choice(HEAVY)}).encode()])
+        writer.write(f"POST /api/{random.choice(['picture', 'look', 'files', 'machine', 'scan', 'pick'])} HTTP/1.1\r\n"
+                     f"Host: 127.0.0.1:{port}\r\nContent-Length: {len(body)}\r\n\r\n".encode() + body)
     else:
-        writer.write(f"GET /api/socket HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n".encode() + os.urandom(3000))
+        writer.write(f"GET /api/socket HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nUpgrade: websocket\r\n"
+                     "Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+                     "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n".encode() + os.urandom(3000))
     await asyncio.wait_for(reader.read(2000), random.random() * 3)
     writer.close()
 
@@ -56,14 +67,17 @@ async def floods(port):
     """Requests as fast as they go, and reads no answer."""
     async with aiohttp.ClientSession() as session, session.ws_connect(f"http://127.0.0.1:{port}/api/socket") as socket:
         for number in range(2000):
-            await socket.send_str(json.dumps({"number": number, "view": str(number % 12), **PAGE, "text": f"sphere({5 + number % 100 / 100})", "width": 400, "height": 300}))
+            text = f"sphere({5 + number % 100 / 100})"
+            await socket.send_str(json.dumps({"number": number, "view": str(number % 12), **PAGE, "text": text,
+                                              "width": 400, "height": 300}))
         await asyncio.sleep(2)
 
 
 async def holds(port):
     """A connection that says a little now and then, or half of an upload."""
     _, writer = await connection(port)
-    writer.write(random.choice([b"", b"GET / HTTP/1.1\r\nHost: ", f"PUT /api/scans/held{random.randrange(10**9)}.nii HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Length: 100000000\r\n\r\n".encode()]))
+    writer.write(random.choice([b"", b"GET / HTTP/1.1\r\nHost: ", f"PUT /api/scans/held{random.randrange(10**9)}.nii "
+                                f"HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Length: 100000000\r\n\r\n".encode()]))
     for _ in range(10):
         await asyncio.sleep(1)
         writer.write(b"x")
@@ -95,8 +109,10 @@ async def polite(server, end, waited):
         async with Socket(server) as socket:
             for number in range(25):
                 started = time.monotonic()
-                await socket.send({"number": number, **PAGE, "text": f"{PAGE['text']} # {random.random()}", "coarse": True})
-                await socket.until(lambda told: told["type"] == "picture" and told["number"] == number)  # noqa: B023: it is awaited within the turn
+                await socket.send({"number": number, **PAGE, "text": f"{PAGE['text']} # {random.random()}",
+                                   "coarse": True})
+                # The turn awaits it, so that the number is still the turn's.
+                await socket.until(lambda told: told["type"] == "picture" and told["number"] == number)  # noqa: B023
                 waited.append(time.monotonic() - started)
                 if time.monotonic() > end:
                     return
@@ -107,18 +123,20 @@ def resident(server):
     """MB of the server, and of its workers together."""
     def of(number):
         with contextlib.suppress(OSError):
-            return int(next(line for line in open(f"/proc/{number}/status") if line.startswith("VmRSS")).split()[1]) / 1024
+            return int(next(line for line in open(f"/proc/{number}/status") if line.startswith("VmRSS"))
+                       .split()[1]) / 1024
         return 0
 
     return of(server.process.pid), sum(map(of, children(server.process.pid)))
 
 
 async def siege(server, seconds, crowd=4):
-    """Returns (seconds that the polite client waited, [(seconds since the start, MB of the server, MB of the workers)], what the
-    server said). It ends the server."""
+    """Returns (seconds that the polite client waited, [(seconds since the start, MB of the server, MB of the workers)],
+    the server's output). Ends the server."""
     start = time.monotonic()
     end, waited, memory = start + seconds, [], []
-    hostile = [asyncio.create_task(again_and_again(each, server.port, end)) for each in (vanishes, sends_garbage, floods, holds, starts_jobs) for _ in range(crowd)]
+    hostile = [asyncio.create_task(again_and_again(each, server.port, end))
+               for each in (vanishes, sends_garbage, floods, holds, starts_jobs) for _ in range(crowd)]
     said = asyncio.create_task(asyncio.to_thread(server.process.stdout.read))
     well = asyncio.create_task(polite(server, end, waited))
     while time.monotonic() < end:
@@ -142,7 +160,8 @@ def main():
         finally:
             server.kill()
     waited.sort()
-    print(f"{len(waited)} pictures; waited {waited[len(waited) // 2]:.2f} s in the median, {waited[-1]:.2f} s at most; left in the folder: {left}; it said {said or 'nothing'}")
+    print(f"{len(waited)} pictures; waited {waited[len(waited) // 2]:.2f} s in the median, {waited[-1]:.2f} s at most; "
+          f"left in the folder: {left}; it said {said or 'nothing'}")
     for i in range(0, len(memory), max(1, len(memory) // 10)):
         print("{:6.0f} s: server {:6.0f} MB, workers {:6.0f} MB".format(*memory[i]))
 

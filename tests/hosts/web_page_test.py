@@ -1,4 +1,5 @@
-"""fabserver's page in a real browser: typing, dragging nodes, changing their code, undo, reloading, and a server that is killed."""
+"""fabserver's page in a real browser: typing, dragging nodes, changing their code, undo, reloading, and a server that
+is killed."""
 
 import contextlib
 import json
@@ -66,14 +67,16 @@ class Page:
             time.sleep(0.05)
         shot = f"/tmp/fabserver-{os.getpid()}.png"
         self.browser.save_screenshot(shot)
-        raise AssertionError(f"{what}: not within {seconds} s ({shot}); {self.text('#message')} {self.text('#sheet-message')} {self.text('#away')}")
+        raise AssertionError(f"{what}: not within {seconds} s ({shot}); "
+                             f"{self.text('#message')} {self.text('#sheet-message')} {self.text('#away')}")
 
     def text(self, selector):
         return self.script("return document.querySelector(arguments[0])?.textContent ?? ''", selector)
 
     def settled(self, host="#picture"):
         """Waits until the last picture that was asked for is shown in full."""
-        is_settled = "const d = document.querySelector(arguments[0]).dataset; return d.asked > 0 && d.shown === d.asked && d.quality === 'smooth'"
+        is_settled = ("const d = document.querySelector(arguments[0]).dataset; "
+                      "return d.asked > 0 && d.shown === d.asked && d.quality === 'smooth'")
         time.sleep(0.05)
         self.until(lambda: self.script(is_settled, host), f"the picture in {host}")
 
@@ -81,11 +84,12 @@ class Page:
         """The area that has the colour of flat models, mm2."""
         count = """
             const host = document.querySelector(arguments[0]), canvas = host.querySelector('canvas');
-            const [r, g, b] = getComputedStyle(document.documentElement).getPropertyValue('--flat').split(',').map(Number);
+            const flat = getComputedStyle(document.documentElement).getPropertyValue('--flat');
+            const [r, g, b] = flat.split(',').map(Number), near = (a, b) => Math.abs(a - b) < 8;
             const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
             let count = 0;
             for (let i = 0; i < data.length; i += 4)
-              if (Math.abs(data[i] - r) < 8 && Math.abs(data[i + 1] - g) < 8 && Math.abs(data[i + 2] - b) < 8 && data[i + 3] > 200) ++count;
+              if (near(data[i], r) && near(data[i + 1], g) && near(data[i + 2], b) && data[i + 3] > 200) ++count;
             return count * Number(host.dataset.scale) ** 2;"""
         return self.script(count, host)
 
@@ -100,21 +104,25 @@ class Page:
             editor.send_keys(each)
 
     def saved(self, state="saved"):
-        self.until(lambda: self.script("return document.getElementById('saved').dataset.state") == state, f"the state '{state}'")
+        self.until(lambda: self.script("return document.getElementById('saved').dataset.state") == state,
+                   f"the state '{state}'")
 
     def node(self, name):
-        return next(each for each in self.browser.find_elements(By.CSS_SELECTOR, ".node") if each.get_attribute("title") == name)
+        return next(each for each in self.browser.find_elements(By.CSS_SELECTOR, ".node")
+                    if each.get_attribute("title") == name)
 
     def choose(self, name):
         ActionChains(self.browser).click(self.node(name).find_element(By.CSS_SELECTOR, ".dot")).perform()
 
     def drag(self, name, dx, dy):
-        ActionChains(self.browser).click_and_hold(self.node(name).find_element(By.CSS_SELECTOR, ".dot")).move_by_offset(dx // 2, dy // 2).move_by_offset(dx - dx // 2, dy - dy // 2).release().perform()
+        ActionChains(self.browser).click_and_hold(self.node(name).find_element(By.CSS_SELECTOR, ".dot")).move_by_offset(
+            dx // 2, dy // 2).move_by_offset(dx - dx // 2, dy - dy // 2).release().perform()
 
     def add(self, kind):
         self.find("#add-node").click()
         self.find("#find-node").send_keys(kind)
-        self.until(lambda: [b.click() or 1 for b in self.browser.find_elements(By.CSS_SELECTOR, "#nodes button") if b.text == kind][:1], f"the kind of node {kind}")
+        self.until(lambda: [b.click() or 1 for b in self.browser.find_elements(By.CSS_SELECTOR, "#nodes button")
+                            if b.text == kind][:1], f"the kind of node {kind}")
 
     def shot(self, name):
         if SHOTS:
@@ -125,29 +133,35 @@ class Page:
 def page(browser, server):
     made = Page(browser, server)
     yield made
-    errors = [entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE" and "favicon" not in entry["message"]]
+    errors = [entry["message"] for entry in browser.get_log("browser")
+              if entry["level"] == "SEVERE" and "favicon" not in entry["message"]]
     # "inline style": Chromium's own, where typing replaces coloured text in an editable element; the policy drops it.
-    known = ("ERR_CONNECTION_REFUSED", "413", "422", "409", "WebSocket connection", "Failed to fetch", "Applying inline style")
+    known = ("ERR_CONNECTION_REFUSED", "413", "422", "409", "WebSocket connection", "Failed to fetch",
+             "Applying inline style")
     assert [each for each in errors if not any(word in each for word in known)] == []
 
 
 def sheet(*nodes, **more):
-    made = [{"id": i + 1, "name": name, "x": x, "y": y, "code": code, "values": {}, "parents": parents} for i, (name, x, y, code, parents) in enumerate(nodes)]
+    made = [{"id": i + 1, "name": name, "x": x, "y": y, "code": code, "values": {}, "parents": parents}
+            for i, (name, x, y, code, parents) in enumerate(nodes)]
     return json.dumps({"format": "fieldfab sheet", "version": 1, "snap": 1, "nodes": made, "text": "", **more})
 
 
-CIRCLE = "const [centre] = parents;\nreturn `move(circle(${mm(distance(centre, { x, y }))}), ${mm(centre.x)}, ${mm(centre.y)})`;"
+CIRCLE = ("const [centre] = parents;\n"
+          "return `move(circle(${mm(distance(centre, { x, y }))}), ${mm(centre.x)}, ${mm(centre.y)})`;")
 
 
 def test_text_and_picture(page, folder):
-    """Typing shows at once; a mistake is told at its place, and the last picture stays; a slider writes into the text."""
+    """Typing shows at once. A mistake is reported at its place, and the last picture stays. A slider writes into the
+    text."""
     (folder / "part.frep").write_text("r = 5  # 1 to 9, radius\ncircle(r)\n")
     page.open("part.frep")
     page.settled()
     page.script("localStorage.setItem('fabserver hint', 'seen')")
     assert abs(page.coloured() - math.pi * 25) < 2
     page.type("#editor", Keys.CONTROL + Keys.END, Keys.BACKSPACE * 3, "r) - circlee(2)")
-    page.until(lambda: "Line 2, column 13: unknown function 'circlee'; did you mean 'circle'?" in page.text("#message"), "the mistake")
+    page.until(lambda: "Line 2, column 13: unknown function 'circlee'; did you mean 'circle'?" in page.text("#message"),
+               "the mistake")
     page.until(lambda: page.find(".cm-lintRange-error").text == "circlee", "the mark at the mistake")
     assert page.coloured() > 50, "the last picture stays"
     page.shot("web_error")
@@ -155,7 +169,8 @@ def test_text_and_picture(page, folder):
     page.until(lambda: not page.find("#message").is_displayed(), "no mistake")
     page.settled()
     assert abs(page.coloured() - math.pi * 21) < 2
-    page.script("const bar = document.querySelector('#sliders input'); bar.value = 4; bar.dispatchEvent(new Event('input'))")
+    page.script(
+        "const bar = document.querySelector('#sliders input'); bar.value = 4; bar.dispatchEvent(new Event('input'))")
     page.until(lambda: abs(page.coloured() - math.pi * 12) < 1, "the slider's picture")
     page.saved()
     assert (folder / "part.frep").read_text() == "r = 4  # 1 to 9, radius\ncircle(r) - circle(2)"
@@ -174,8 +189,10 @@ def test_turning_and_zooming(page, folder):
     assert turned != first
     host.send_keys("2")
     page.settled()
-    box = page.script("const b = document.querySelector('#picture').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
-    wheel = "document.querySelector('#picture').dispatchEvent(new WheelEvent('wheel', { deltaY: arguments[2], clientX: arguments[0], clientY: arguments[1], cancelable: true }))"
+    box = page.script("const b = document.querySelector('#picture').getBoundingClientRect(); "
+                      "return [b.left, b.top, b.width, b.height]")
+    wheel = ("document.querySelector('#picture').dispatchEvent(new WheelEvent('wheel', { deltaY: arguments[2], "
+             "clientX: arguments[0], clientY: arguments[1], cancelable: true }))")
     scale = float(host.get_attribute("data-scale"))
     page.script(wheel, box[0] + box[2] / 4, box[1] + box[3] / 4, -400)
     page.settled()
@@ -202,13 +219,15 @@ def test_a_sheet_from_nothing(page, folder):
     page.saved()
     point, circle = json.loads((folder / "sheet.json").read_text())["nodes"]
     assert circle["parents"] == [point["id"]]
-    assert circle["code"].strip() in [block.text for document in DOCUMENTS for block in document.blocks], "docs/web.md shows it"
+    assert circle["code"].strip() in [block.text for document in DOCUMENTS
+                                      for block in document.blocks], "docs/web.md shows it"
     r = math.hypot(circle["x"] - point["x"], circle["y"] - point["y"])
     assert abs(page.coloured() / (math.pi * r * r) - 1) < 0.02
 
 
 def test_nodes(page, folder, server):
-    """Dragging, links, code, undo, a reload, a killed server, an endless loop: the picture follows, and nothing is lost."""
+    """Dragging, links, code, undo, a reload, a killed server, an endless loop: the picture follows, and nothing is
+    lost."""
     (folder / "nodes.json").write_text(sheet(("Centre", 0, 0, "return { x, y };", []), ("Circle", 16, 12, CIRCLE, [1])))
     file = folder / "nodes.json"
     page.open("nodes.json")
@@ -217,19 +236,22 @@ def test_nodes(page, folder, server):
 
     scale = float(page.find("#sheet").get_attribute("data-scale"))
     page.drag("Circle", round(-8 / scale), 0)
-    page.until(lambda: [n["x"] for n in json.loads(file.read_text())["nodes"]] == [0, 8], "the node's place in the file")
+    page.until(lambda: [n["x"] for n in json.loads(file.read_text())["nodes"]] == [0, 8],
+               "the node's place in the file")
     page.settled()
     assert abs(page.coloured() / (math.pi * (64 + 144)) - 1) < 0.01
 
     page.choose("Circle")
     page.until(lambda: "const [centre]" in page.text(".code"), "the node's code")
-    page.type(".code", Keys.CONTROL + "a", "const [centre] = parents;\nreturn `move(circle(${mm(value('r', 5, 1, 9))}), ${mm(centre.x)}, ${mm(centre.y)})`;")
+    page.type(".code", Keys.CONTROL + "a", "const [centre] = parents;\n"
+              "return `move(circle(${mm(value('r', 5, 1, 9))}), ${mm(centre.x)}, ${mm(centre.y)})`;")
     page.until(lambda: abs(page.coloured() / (math.pi * 25) - 1) < 0.02, "the picture of the new code")
     page.until(lambda: page.find(".numbers input[type=range]").get_attribute("value") == "5", "the code's slider")
     page.shot("web_code")
 
     page.type(".code", Keys.CONTROL + Keys.HOME, "while (true) {} ")
-    page.until(lambda: "Circle was stopped: it ran longer than a second" in page.text("#sheet-message"), "the end of the endless loop")
+    page.until(lambda: "Circle was stopped: it ran longer than a second" in page.text("#sheet-message"),
+               "the end of the endless loop")
     for _ in range(12):  # what is typed in one go is one step
         page.find("#undo").click()
         page.until(lambda: page.text(".code"), "the code")
@@ -278,7 +300,8 @@ def test_code_of_nodes_reaches_nothing(page, folder):
             "script": f"importScripts('http://{place}/'); return {{}};",
             "storage": "return { text: 'circle(' + localStorage.length + ')' };",
             "page": "return { text: parent.document.title };",
-            "requests": f"fetch('http://{place}/'); new WebSocket('ws://{place}/'); new EventSource('http://{place}/'); import('http://{place}/'); return {{}};",
+            "requests": f"fetch('http://{place}/'); new WebSocket('ws://{place}/'); "
+            f"new EventSource('http://{place}/'); import('http://{place}/'); return {{}};",
             "answer": "postMessage({ run: 1, results: [] }); return {};",
         }
         nodes = [(name, 20 * i, 0, code, []) for i, (name, code) in enumerate(tries.items())]
@@ -286,7 +309,8 @@ def test_code_of_nodes_reaches_nothing(page, folder):
         page.open("stranger.json")
         page.settled()
         assert abs(page.coloured() / (math.pi * 25) - 1) < 0.02
-        assert {each.get_attribute("title") for each in page.browser.find_elements(By.CSS_SELECTOR, ".node.wrong")} >= {"script", "storage", "page"}
+        assert {each.get_attribute("title") for each in page.browser.find_elements(By.CSS_SELECTOR, ".node.wrong")} >= {
+            "script", "storage", "page"}
         listener.settimeout(1)
         with pytest.raises(TimeoutError):
             listener.accept()
@@ -294,7 +318,8 @@ def test_code_of_nodes_reaches_nothing(page, folder):
 
 
 def test_names_and_texts_never_become_html(page, folder):
-    (folder / "evil.json").write_text(sheet(("<img src=x onerror=document.title='evil'>", 0, 0, "throw new Error('<b id=bold>bold</b>');", [])))
+    (folder / "evil.json").write_text(sheet(("<img src=x onerror=document.title='evil'>", 0, 0,
+                                             "throw new Error('<b id=bold>bold</b>');", [])))
     page.open("evil.json")
     page.until(lambda: "<b id=bold>" in page.text("#sheet-message"), "the mistake, as text")
     page.choose("<img src=x onerror=document.title='evil'>")
@@ -305,7 +330,8 @@ def test_names_and_texts_never_become_html(page, folder):
 def test_a_scan_by_upload(page, folder, tmp_path):
     """A scan becomes a model whose threshold is slid beside its histogram; the picture follows."""
     at = np.indices((32, 32, 32)) - 15.5
-    ff.Volume(np.clip(100 + 40 * (8 - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32), origin=(-15.5, -15.5, -15.5)).save(tmp_path / "ball.nii.gz")
+    ff.Volume(np.clip(100 + 40 * (8 - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32),
+              origin=(-15.5, -15.5, -15.5)).save(tmp_path / "ball.nii.gz")
     page.open()
     page.until(lambda: page.find("#new-scan").is_displayed(), "the gallery")
     page.find("#scan-file").send_keys(str(tmp_path / "ball.nii.gz"))
@@ -318,13 +344,15 @@ def test_a_scan_by_upload(page, folder, tmp_path):
     assert abs(area / (math.pi * (8 + (100 - level) / 40) ** 2) - 1) < 0.05
     bar = page.find("#histogram svg")
     ActionChains(page.browser).move_to_element_with_offset(bar, round(-0.3 * bar.size["width"]), 0).click().perform()
-    page.until(lambda: f'{float(page.find("#sliders input[type=number]").get_attribute("value")):g}' in (folder / "ball.frep").read_text() and page.coloured() > 1.1 * area, "a lower threshold")
+    page.until(lambda: f'{float(page.find("#sliders input[type=number]").get_attribute("value")):g}'
+               in (folder / "ball.frep").read_text() and page.coloured() > 1.1 * area, "a lower threshold")
     page.shot("web_scan")
     assert (folder / "ball.nii.gz").read_bytes() == (tmp_path / "ball.nii.gz").read_bytes()
 
 
 def set_value(page, selector, value):
-    page.script("const e = document.querySelector(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'))", selector, str(value))
+    page.script("const e = document.querySelector(arguments[0]); e.value = arguments[1]; "
+                "e.dispatchEvent(new Event('change'))", selector, str(value))
 
 
 def program_of(page, server, path):
@@ -339,7 +367,8 @@ def program_of(page, server, path):
 def plan(page, button="#simulate"):
     shown = page.find("#stage").get_attribute("data-shown") or "0"
     page.find(button).click()
-    page.until(lambda: (page.find("#stage").get_attribute("data-shown") or "0") != shown or page.text("#job-message"), "a plan", 200)
+    page.until(lambda: (page.find("#stage").get_attribute("data-shown") or "0") != shown or page.text("#job-message"),
+               "a plan", 200)
     assert page.text("#job-message") == ""
 
 
@@ -360,7 +389,8 @@ def test_a_scan_becomes_a_simulated_program(page, folder, server, tmp_path):
 
     view = "return document.querySelector('#stage canvas').toDataURL()"
     end = page.script(view)
-    page.script("const bar = document.querySelector('#stage input'); bar.value = 300; bar.dispatchEvent(new Event('input'))")
+    page.script(
+        "const bar = document.querySelector('#stage input'); bar.value = 300; bar.dispatchEvent(new Event('input'))")
     page.until(lambda: page.script(view) != end, "the stock at an earlier time")
     middle, still = page.script(view), page.find("#stage").get_attribute("data-still")
     ActionChains(page.browser).click_and_hold(page.find("#stage .scene")).move_by_offset(70, 20).release().perform()
@@ -371,31 +401,39 @@ def test_a_scan_becomes_a_simulated_program(page, folder, server, tmp_path):
 
 
 def test_panels_of_a_job(page, folder, server, tmp_path):
-    """Operations are added, ordered and removed; settings that do not matter are not shown; mistakes are told; all is there after a reload."""
+    """Operations are added, ordered and removed. Settings that do not matter are hidden. Mistakes are reported. A
+    reload keeps everything."""
     (folder / "plate.frep").write_text("rounded_rectangle(30, 20, 3) - circle(5)\n")
     page.open("plate.frep")
     page.settled()
     page.find("#machine").click()
-    page.until(lambda: page.find("#panels [data-setting=type]").get_attribute("value") == "profile", "a profile, for a flat model")
+    page.until(lambda: page.find("#panels [data-setting=type]").get_attribute("value") == "profile",
+               "a profile, for a flat model")
     assert not page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=tab_width]")
     set_value(page, "[data-setting=tabs]", 2)
     page.until(lambda: page.find("[data-setting=tab_width]").is_displayed(), "the tabs' width")
     page.find("button[aria-label='Add to operations']").click()
-    page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=type]")) == 2, "another operation")
-    page.script("const e = document.querySelectorAll('[data-setting=type]')[1]; e.value = 'pocket'; e.dispatchEvent(new Event('change'))")
-    page.until(lambda: [each["type"] for each in json.loads((folder / "plate.job").read_text())["operations"]] == ["profile", "pocket"], "the job's file")
+    page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=type]")) == 2,
+               "another operation")
+    page.script("const e = document.querySelectorAll('[data-setting=type]')[1]; e.value = 'pocket'; "
+                "e.dispatchEvent(new Event('change'))")
+    page.until(lambda: [each["type"] for each in json.loads((folder / "plate.job").read_text())["operations"]]
+               == ["profile", "pocket"], "the job's file")
     page.script("document.querySelectorAll('button[aria-label=Earlier]')[2].click()")
-    page.until(lambda: [each["type"] for each in json.loads((folder / "plate.job").read_text())["operations"]] == ["pocket", "profile"], "the other order")
+    page.until(lambda: [each["type"] for each in json.loads((folder / "plate.job").read_text())["operations"]]
+               == ["pocket", "profile"], "the other order")
     plan(page, "#plan")
     program_of(page, server, tmp_path / "program.ngc")
     assert len(moves(tmp_path / "program.ngc", tools=((1, 40, 3),))[0]) > 20
     set_value(page, "[data-setting=machine]", "epilog")
     page.until(lambda: json.loads((folder / "plate.job").read_text())["machine"] == "epilog", "another machine")
-    assert page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=material]") or page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=power]")
+    assert (page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=material]")
+            or page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=power]"))
     page.browser.refresh()
     page.settled()
     page.find("#machine").click()
-    page.until(lambda: page.find("[data-setting=machine]").get_attribute("value") == "epilog", "the job, after a reload")
+    page.until(lambda: page.find("[data-setting=machine]").get_attribute("value") == "epilog",
+               "the job, after a reload")
     set_value(page, "[data-setting=machine]", "linuxcnc")
     set_value(page, "[data-setting=diameter]", 0)
     page.find("#plan").click()
@@ -416,7 +454,8 @@ def test_documents_that_cannot_be_shown_are_left_as_they_are(page, folder):
 
 def test_a_link_holds_a_model(page, folder, server):
     link = page.script("""return (async () => {
-      const stream = new Blob([JSON.stringify({ name: 'shared.frep', text: 'circle(6)' })]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+      const blob = new Blob([JSON.stringify({ name: 'shared.frep', text: 'circle(6)' })]);
+      const stream = blob.stream().pipeThrough(new CompressionStream('deflate-raw'));
       const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
       return btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
     })()""")
@@ -444,7 +483,9 @@ def test_the_page_is_accessible(page, folder, theme):
         else:
             page.until(lambda: page.find("#examples .card").is_displayed(), "the gallery")
         page.script(axe.read_text())
-        found = page.browser.execute_async_script("const done = arguments[0]; axe.run({ resultTypes: ['violations'] }).then((r) => done(r.violations))")
-        serious = [(each["id"], [node["html"][:160] for node in each["nodes"]][:4]) for each in found if each["impact"] in ("serious", "critical")]
+        found = page.browser.execute_async_script(
+            "const done = arguments[0]; axe.run({ resultTypes: ['violations'] }).then((r) => done(r.violations))")
+        serious = [(each["id"], [node["html"][:160] for node in each["nodes"]][:4])
+                   for each in found if each["impact"] in ("serious", "critical")]
         assert serious == [], (name, serious)
     page.script("localStorage.removeItem('fabserver theme')")

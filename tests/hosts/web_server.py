@@ -26,7 +26,8 @@ class Server:
     def __init__(self, folder, *options, port=0, command=(COMMAND, "serve"), **environment):
         kept = {name: value for name, value in os.environ.items() if not name.lower().endswith("_proxy")}
         words = [*command, folder, "--no-browser", "--port", str(port), *options]
-        self.process = subprocess.Popen(list(map(str, words)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env={**kept, **environment}, start_new_session=True)
+        self.process = subprocess.Popen(list(map(str, words)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                        text=True, env={**kept, **environment}, start_new_session=True)
         self.said = self.process.stdout.readline()
         self.address = re.search(r"http://\S+", self.said)[0]
         self.place = urllib.parse.urlsplit(self.address)
@@ -110,7 +111,8 @@ class Socket:
 
     async def __aenter__(self):
         self._session = aiohttp.ClientSession()
-        self._socket = await self._session.ws_connect(f"http://127.0.0.1:{self._server.port}/api/socket", headers=self._headers, max_msg_size=0)
+        self._socket = await self._session.ws_connect(f"http://127.0.0.1:{self._server.port}/api/socket",
+                                                      headers=self._headers, max_msg_size=0)
         return self
 
     async def __aexit__(self, *_):
@@ -143,7 +145,8 @@ def chromium():
     """A browser without a window; WebGL is drawn by the processor."""
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
-    for each in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--no-proxy-server",
+    for each in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                 "--disable-dev-shm-usage", "--no-proxy-server",
                  "--window-size=1360,860", "--force-device-scale-factor=1"):  # fmt: skip
         options.add_argument(each)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})

@@ -53,18 +53,21 @@ def refused(answer, status, *words):
 def test_a_picture_is_the_kernels_own(server):
     """Each pixel of a slice is the sign of the value at its place."""
     text, window = "circle(4) - move(circle(2), 1, 1)", [-5, -4, 5, 4]
-    status, headers, data = server.ask("POST", "/api/picture", {"text": text, "width": 200, "height": 160, "window": window})
+    status, headers, data = server.ask("POST", "/api/picture",
+                                       {"text": text, "width": 200, "height": 160, "window": window})
     assert status == 200 and headers["Content-Type"] == "image/png"
     shown = pixels(data)[:, :, 0] > 0
     x, y = np.meshgrid(-5 + (np.arange(200) + 0.5) / 20, 4 - (np.arange(160) + 0.5) / 20)
-    inside = ff.parse(text).values(np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1).astype(np.float32)).reshape(160, 200) < 0
+    inside = ff.parse(text).values(np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1).astype(np.float32)).reshape(
+        160, 200) < 0
     assert (shown == inside).mean() > 0.9999
     assert json.loads(headers["Fieldfab-Picture"])["flat"] is True
 
 
 def test_shaded_pictures_have_no_background_and_parts_have_colours(server):
     text = 'part(move(box(4, 4, 4), -3), "a", "red")\npart(move(box(4, 4, 4), 3), "b", "blue")\n'
-    status, _, data = server.ask("POST", "/api/picture", {"text": text, "width": 160, "height": 120, "alpha": 0, "beta": 0, "smooth": True})
+    status, _, data = server.ask("POST", "/api/picture",
+                                 {"text": text, "width": 160, "height": 120, "alpha": 0, "beta": 0, "smooth": True})
     assert status == 200
     shown = pixels(data)
     assert shown.shape == (120, 160, 4)
@@ -96,17 +99,20 @@ def test_values_bounds_parameters_and_words(server):
 
 
 def test_mistakes_have_their_places(server):
-    error = refused(server.post("/api/look", {"text": "r = 2\n/* 😀 */ spheer(r)\nq\n".replace("/* 😀 */ ", '"😀"; ')}), 422)
+    error = refused(server.post("/api/look", {"text": "r = 2\n/* 😀 */ spheer(r)\nq\n".replace("/* 😀 */ ", '"😀"; ')}),
+                    422)
     assert error["mistakes"][0]["line"] == 2
     error = refused(server.post("/api/look", {"text": "r = 2\nspheer(r)\nq\n"}), 422, "did you mean 'sphere'?")
-    assert [(each["line"], each["column"], each["offset"], each["length"]) for each in error["mistakes"]] == [(2, 1, 6, 6), (3, 1, 16, 1)]
+    assert [(each["line"], each["column"], each["offset"], each["length"])
+            for each in error["mistakes"]] == [(2, 1, 6, 6), (3, 1, 16, 1)]
 
 
 def test_the_description_has_every_address(server):
     status, _, data = server.ask("GET", "/api")
     told = json.loads(data)
     assert status == 200 and told["openapi"].startswith("3.")
-    assert set(told["paths"]) >= {"/api/picture", "/api/look", "/api/values", "/api/pick", "/api/files", "/api/jobs/{job}", "/api/documents/{name}"}
+    assert set(told["paths"]) >= {"/api/picture", "/api/look", "/api/values", "/api/pick", "/api/files",
+                                  "/api/jobs/{job}", "/api/documents/{name}"}
     fields = told["paths"]["/api/picture"]["post"]["requestBody"]["content"]["application/json"]["schema"]
     assert fields["required"] == ["text"] and fields["properties"]["width"]["maximum"] == 4096
 
@@ -121,7 +127,8 @@ def run(coroutine):
 def test_pictures_come_coarse_first(server):
     async def talk():
         async with Socket(server) as socket:
-            await socket.send({"number": 1, "view": "main", "text": "r = 5 # 1 to 9\nsphere(r)", "width": 400, "height": 300, "coarse": True, "smooth": True})
+            await socket.send({"number": 1, "view": "main", "text": "r = 5 # 1 to 9\nsphere(r)", "width": 400,
+                               "height": 300, "coarse": True, "smooth": True})
             return await socket.until(lambda told: told.get("last"))
 
     answers = run(talk())
@@ -136,7 +143,8 @@ def test_a_newer_request_takes_the_place_of_older_ones(server):
     async def talk():
         async with Socket(server) as socket:
             for number in range(100):
-                await socket.send({"number": number, "text": f"gyroid(3) & sphere({5 + number / 100})", "width": 640, "height": 480, "coarse": True})
+                await socket.send({"number": number, "text": f"gyroid(3) & sphere({5 + number / 100})", "width": 640,
+                                   "height": 480, "coarse": True})
             return await socket.until(lambda told: told.get("last") and told["number"] == 99)
 
     answers = [told for told, _ in run(talk()) if told["type"] == "picture"]
@@ -252,7 +260,8 @@ def test_workers_end_with_their_server(tmp_path):
     assert len(workers) >= 2
     running.kill()
     end = time.monotonic() + 10
-    while any(os.path.exists(f"/proc/{each}") and "zombie" not in open(f"/proc/{each}/status").read() for each in workers):
+    while any(os.path.exists(f"/proc/{each}") and "zombie" not in open(f"/proc/{each}/status").read()
+              for each in workers):
         assert time.monotonic() < end
         time.sleep(0.05)
 
@@ -262,7 +271,8 @@ def test_workers_end_with_their_server(tmp_path):
 
 def finished(server, job):
     while job["state"] in ("waiting", "working"):
-        job = json.loads(server.ask("GET", f"/api/jobs/{job['job']}?state={job['state']}&progress={job['progress']}")[2])
+        job = json.loads(
+            server.ask("GET", f"/api/jobs/{job['job']}?state={job['state']}&progress={job['progress']}")[2])
     return job
 
 
@@ -309,7 +319,8 @@ def test_jobs_run_on_a_cluster(tmp_path):
     path = {"PYTHONPATH": str(BUILD / "python")}
     with distributed.LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None, env=path) as cluster:
         [nanny] = cluster.workers.values()
-        running = Server(tmp_path, "--scheduler", cluster.scheduler_address, command=(sys.executable, "-m", "fieldfab.serve"), **path)
+        running = Server(tmp_path, "--scheduler", cluster.scheduler_address,
+                         command=(sys.executable, "-m", "fieldfab.serve"), **path)
         workers = running.workers()
         try:
             job = finished(running, running.post("/api/files", {**SPHERE, "extension": ".stl"})[1])
@@ -327,7 +338,8 @@ def test_jobs_run_on_a_cluster(tmp_path):
             wait_until(lambda: not children(nanny.pid), "its end")
         finally:
             running.end()
-    running = Server(tmp_path, "--scheduler", cluster.scheduler_address, command=(sys.executable, "-m", "fieldfab.serve"), **path)
+    running = Server(tmp_path, "--scheduler", cluster.scheduler_address,
+                     command=(sys.executable, "-m", "fieldfab.serve"), **path)
     try:
         job = finished(running, running.post("/api/files", {**SPHERE, "extension": ".stl"})[1])
         assert job["state"] == "failed" and "does not answer" in job["error"]["message"]
@@ -344,7 +356,8 @@ def test_documents_are_written_whole_and_with_versions(server, folder):
     version = headers["ETag"]
     assert server.ask("PUT", "/api/documents/part.frep", b"box(1, 1, 1)\n")[0] == 409, "there is one already"
     assert server.ask("PUT", "/api/documents/part.frep", b"box(1, 1, 1)\n", If_Match=version)[0] == 200
-    assert server.ask("PUT", "/api/documents/part.frep", b"box(2, 1, 1)\n", If_Match=version)[0] == 409, "changed meanwhile"
+    assert server.ask("PUT", "/api/documents/part.frep", b"box(2, 1, 1)\n", If_Match=version)[0] == 409, (
+        "changed meanwhile")
     status, headers, data = server.ask("GET", "/api/documents/part.frep")
     assert data == b"box(1, 1, 1)\n" and headers["ETag"] != version
     assert "part.frep" in [each["name"] for each in json.loads(server.ask("GET", "/api/documents")[2])["documents"]]
@@ -353,7 +366,8 @@ def test_documents_are_written_whole_and_with_versions(server, folder):
     assert server.ask("GET", "/api/documents/part.frep")[0] == 404
 
 
-@pytest.mark.parametrize("name", ["../out.frep", "..%2Fout.frep", "%2e%2e%2fout.frep", "a%2Fb.frep", "%2Fetc%2Fpasswd", ".hidden.frep", "x.py", "x.frep%00.txt", "x.sh", "con%0A.frep", "a" * 200 + ".frep"])
+@pytest.mark.parametrize("name", ["../out.frep", "..%2Fout.frep", "%2e%2e%2fout.frep", "a%2Fb.frep", "%2Fetc%2Fpasswd",
+                                  ".hidden.frep", "x.py", "x.frep%00.txt", "x.sh", "con%0A.frep", "a" * 200 + ".frep"])
 def test_names_stay_in_the_folder(server, folder, name):
     before = sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))
     assert server.ask("PUT", f"/api/documents/{name}", b"sphere(1)")[0] in (400, 404, 405)
@@ -381,7 +395,8 @@ def test_texts_open_files_of_the_folder_only(server, folder, tmp_path):
     with open(f"{folder}/indirect.frep", "w") as file:
         file.write(f'open("{tmp_path}/outside.frep")\n')
     assert server.post("/api/values", {"text": 'open("ball.frep")', "points": [[0, 0, 0]]}) == (200, {"values": [-3.0]})
-    for name in ("/etc/passwd", f"{tmp_path}/outside.frep", "../../outside.frep", "indirect.frep", "ball.py", "missing.frep"):
+    for name in ("/etc/passwd", f"{tmp_path}/outside.frep", "../../outside.frep", "indirect.frep", "ball.py",
+                 "missing.frep"):
         error = refused(server.post("/api/look", {"text": f'move(\n  open("{name}"), 1)'}), 422)
         assert error["mistakes"], name
     refused(server.post("/api/look", {"text": '"x"; open("..\\/ball.frep")'}), 422)
@@ -392,7 +407,8 @@ def test_texts_open_files_of_the_folder_only(server, folder, tmp_path):
 # Machining
 
 TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 20, "length": 40}
-JOB = {"machine": "linuxcnc", "zero": "corner", "stock": {"margin": 2, "top": 1}, "tools": [TOOL], "operations": [{"type": "rough", "tool": 1, "allowance": 0}]}
+JOB = {"machine": "linuxcnc", "zero": "corner", "stock": {"margin": 2, "top": 1}, "tools": [TOOL],
+       "operations": [{"type": "rough", "tool": 1, "allowance": 0}]}
 BLOCK = "box(30, 20, 8) - move(box(8, 8, 8), 0, 0, 4)"
 
 
@@ -400,29 +416,34 @@ def test_the_tables_of_machines_and_operations(server):
     told = json.loads(server.ask("GET", "/api/machining")[2])
     assert {each["id"] for each in told["machines"]} == set(ff.cam.machines())
     rough = next(each for each in told["operations"] if each["name"] == "rough")
-    assert {"cell", "stepover", "allowance", "bottom"} <= {each["name"] for each in rough["settings"]} and {"feed", "spindle"} <= {each["name"] for each in told["joining"]}
+    assert ({"cell", "stepover", "allowance", "bottom"} <= {each["name"] for each in rough["settings"]}
+            and {"feed", "spindle"} <= {each["name"] for each in told["joining"]})
 
 
 def test_a_program_is_planned_and_simulated(server, tmp_path):
     job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": JOB, "simulate": True})[1])
     assert job["state"] == "done", job
     told, file = job["result"], lambda name: server.ask("GET", f"/api/jobs/{job['job']}/files/{name}")
-    assert told["good"] and told["events"] == [] and told["removed"] > 300 and 20 < told["seconds"] < 2000 and told["stock"][3] - told["stock"][0] > 34
+    assert (told["good"] and told["events"] == [] and told["removed"] > 300 and 20 < told["seconds"] < 2000
+            and told["stock"][3] - told["stock"][0] > 34)
     (tmp_path / "program.ngc").write_bytes(file("program.ngc")[2])
     places, kinds, _ = moves(tmp_path / "program.ngc", tools=((1, 40, 6),))
     assert len(places) > 20 and places[:, 2].min() > -9.1 and "STRAIGHT_FEED" in kinds
     assert server.ask("GET", f"/api/jobs/{job['job']}/file")[2] == (tmp_path / "program.ngc").read_bytes()
     for name in ("sheet.html", "report.html"):
         status, headers, data = file(name)
-        assert status == 200 and b"<html" in data and "sandbox" in headers["Content-Security-Policy"] and "script" not in headers["Content-Security-Policy"].replace("sandbox allow-popups", "")
+        assert (status == 200 and b"<html" in data and "sandbox" in headers["Content-Security-Policy"]
+                and "script" not in headers["Content-Security-Policy"].replace("sandbox allow-popups", ""))
     stock, data = json.loads(file("stock.json")[2]), file("stock.bin")[2]
     volumes = [drawn_volume(stock["stills"][: i + 1], data) for i in (0, len(stock["stills"]) - 1)]
     assert abs(volumes[0] - volumes[1] - told["removed"]) < 0.05 * told["removed"], "what is drawn is what was removed"
     assert {int(pose[6]) for pose in stock["poses"]} == {1} and set(stock["tools"]["1"]) >= {"cutting"}
     (tmp_path / "part.frep").write_text(BLOCK)
     (tmp_path / "job.toml").write_bytes(file("job.toml")[2])
-    subprocess.run([COMMAND, "cam", tmp_path / "job.toml", "-o", tmp_path / "again.ngc"], check=True, capture_output=True)
-    assert (tmp_path / "again.ngc").read_text().splitlines()[3:] == (tmp_path / "program.ngc").read_text().splitlines()[3:], "the command plans the same"
+    subprocess.run([COMMAND, "cam", tmp_path / "job.toml", "-o", tmp_path / "again.ngc"], check=True,
+                   capture_output=True)
+    assert ((tmp_path / "again.ngc").read_text().splitlines()[3:]
+            == (tmp_path / "program.ngc").read_text().splitlines()[3:]), "the command plans the same"
     assert file("setup.py")[0] == 404 and file("..%2F..%2Fapp.py")[0] == 404
 
 
@@ -432,24 +453,32 @@ def drawn_volume(stills, data):
     total = 0
     for piece in newest.values():
         vertices = np.frombuffer(data, "<f4", 3 * piece["vertices"], piece["at"]).reshape(-1, 3).astype(float)
-        a, b, c = vertices[np.frombuffer(data, "<u2" if piece["vertices"] < 65536 else "<u4", 3 * piece["triangles"], piece["corners"]).reshape(-1, 3).T]
+        a, b, c = vertices[np.frombuffer(data, "<u2" if piece["vertices"] < 65536 else "<u4", 3 * piece["triangles"],
+                                         piece["corners"]).reshape(-1, 3).T]
         total += np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
     return total
 
 
 @pytest.mark.parametrize("change, words", [
-    ({"machine": "../mine.toml"}, "must be one of"), ({"tools": [{**TOOL, "library": "/etc/passwd"}]}, "'library' is no setting"), ({"stock": {"file": "/etc/passwd"}}, "'file' is no setting"),
-    ({"input": {"model": "x"}}, "must be an object of"), ({"tools": [{**TOOL, "name": 'x"\nlibrary = "y'}]}, "short text"), ({"operations": [{'type"]\n': "x"}]}, "no setting"),
-    ({"operations": [{"type": "rough", "tool": 1, "feed": float("nan")}]}, "finite"), ({"tools": [TOOL] * 51}, "at most 50"),
+    ({"machine": "../mine.toml"}, "must be one of"),
+    ({"tools": [{**TOOL, "library": "/etc/passwd"}]}, "'library' is no setting"),
+    ({"stock": {"file": "/etc/passwd"}}, "'file' is no setting"),
+    ({"input": {"model": "x"}}, "must be an object of"),
+    ({"tools": [{**TOOL, "name": 'x"\nlibrary = "y'}]}, "short text"),
+    ({"operations": [{'type"]\n': "x"}]}, "no setting"),
+    ({"operations": [{"type": "rough", "tool": 1, "feed": float("nan")}]}, "finite"),
+    ({"tools": [TOOL] * 51}, "at most 50"),
 ])  # fmt: skip
 def test_jobs_name_no_files(server, change, words):
     refused(server.post("/api/machine", {"text": BLOCK, "job": {**JOB, **change}}), 400, words)
 
 
 def test_what_a_job_lacks_is_told(server):
-    job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": {**JOB, "operations": [{"type": "rough", "tool": 1, "stepovr": 1}]}})[1])
+    job = finished(server, server.post(
+        "/api/machine", {"text": BLOCK, "job": {**JOB, "operations": [{"type": "rough", "tool": 1, "stepovr": 1}]}})[1])
     assert job["state"] == "failed" and "stepover" in job["error"]["message"]
-    job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": {**JOB, "tools": [{**TOOL, "name": '"]x'}], "operations": []}})[1])
+    job = finished(server, server.post(
+        "/api/machine", {"text": BLOCK, "job": {**JOB, "tools": [{**TOOL, "name": '"]x'}], "operations": []}})[1])
     assert job["state"] == "failed" and "operation" in job["error"]["message"]
 
 
@@ -467,20 +496,24 @@ def test_a_scan_is_uploaded_looked_at_and_shown(server, folder, tmp_path):
     data = ball_scan(tmp_path / "ball.nii.gz")
     assert server.ask("PUT", "/api/scans/ball.nii.gz", data)[0] == 201
     assert open(f"{folder}/ball.nii.gz", "rb").read() == data
-    assert server.ask("PUT", "/api/scans/ball.nii.gz", b"other")[0] == 409 and open(f"{folder}/ball.nii.gz", "rb").read() == data
+    assert (server.ask("PUT", "/api/scans/ball.nii.gz", b"other")[0] == 409
+            and open(f"{folder}/ball.nii.gz", "rb").read() == data)
     assert json.loads(server.ask("GET", "/api/documents")[2])["scans"] == ["ball.nii.gz"]
     status, scan = server.post("/api/scan", {"name": "ball.nii.gz"})
-    assert status == 200 and scan["size"] == [32, 32, 32] and sum(scan["counts"]) == 32**3 and len(scan["counts"]) <= 256
+    assert (status == 200 and scan["size"] == [32, 32, 32] and sum(scan["counts"]) == 32**3
+            and len(scan["counts"]) <= 256)
     assert scan["from"] <= 0 and scan["to"] >= 200 and 60 < scan["halfway"] < 140
     for level, within in ((100, False), (60, True)):
         text = f'level = {level}\nopen("ball.nii.gz", threshold = level)\n'
-        values = server.post("/api/values", {"text": text, "points": [[15.5, 15.5, 15.5], [15.5, 15.5 + 8.5, 15.5]]})[1]["values"]
+        values = server.post("/api/values",
+                             {"text": text, "points": [[15.5, 15.5, 15.5], [15.5, 15.5 + 8.5, 15.5]]})[1]["values"]
         assert values[0] < 0 and (values[1] < 0) == within
     assert server.ask("DELETE", "/api/scans/ball.nii.gz")[0] == 200 and not os.path.exists(f"{folder}/ball.nii.gz")
     refused(server.post("/api/scan", {"name": "ball.nii.gz"}), 404, "no scan")
 
 
-@pytest.mark.parametrize("name", ["../out.nii", "..%2Fout.nii", "%2Fetc%2Fpasswd.nii", ".hidden.nii", "x.nrrd", "x.frep", "x.nii%00.sh", "a" * 200 + ".nii"])
+@pytest.mark.parametrize("name", ["../out.nii", "..%2Fout.nii", "%2Fetc%2Fpasswd.nii", ".hidden.nii", "x.nrrd",
+                                  "x.frep", "x.nii%00.sh", "a" * 200 + ".nii"])
 def test_scans_stay_in_the_folder(server, folder, name):
     before = sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))
     assert server.ask("PUT", f"/api/scans/{name}", b"data")[0] in (400, 404, 405)
@@ -492,18 +525,21 @@ def test_scans_are_whole_or_refused(server, folder, tmp_path):
     os.symlink(tmp_path / "elsewhere.nii", f"{folder}/link.nii")
     (tmp_path / "elsewhere.nii").write_bytes(b"secret")
     refused(server.post("/api/scan", {"name": "link.nii"}), 404)
-    assert server.ask("PUT", "/api/scans/link.nii", b"data")[0] == 409 and (tmp_path / "elsewhere.nii").read_bytes() == b"secret"
+    assert (server.ask("PUT", "/api/scans/link.nii", b"data")[0] == 409
+            and (tmp_path / "elsewhere.nii").read_bytes() == b"secret")
     assert server.ask("PUT", "/api/scans/empty.nii", b"")[0] == 400
     assert server.ask("PUT", "/api/scans/garbage.nii", os.urandom(4000))[0] == 201
     refused(server.post("/api/scan", {"name": "garbage.nii"}), 422)
     os.remove(f"{folder}/garbage.nii"), os.remove(f"{folder}/link.nii")
     with sockets.create_connection(("127.0.0.1", server.port)) as half:  # it ends in the middle
-        half.sendall(f"PUT /api/scans/half.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nContent-Length: 100000\r\n\r\n".encode() + bytes(50_000))
+        half.sendall(f"PUT /api/scans/half.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n"
+                     "Content-Length: 100000\r\n\r\n".encode() + bytes(50_000))
         wait_until(lambda: any(each.startswith(".upload") for each in os.listdir(folder)), "the upload's beginning")
     wait_until(lambda: not any(each.startswith(".upload") for each in os.listdir(folder)), "the upload's end")
     assert not os.path.exists(f"{folder}/half.nii")
     with sockets.create_connection(("127.0.0.1", server.port)) as long:
-        long.sendall(f"PUT /api/scans/long.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nContent-Length: 2000000000\r\n\r\n".encode())
+        long.sendall(f"PUT /api/scans/long.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n"
+                     "Content-Length: 2000000000\r\n\r\n".encode())
         assert b" 413 " in long.recv(1000)
 
 
@@ -527,9 +563,11 @@ def test_the_page_has_a_policy(server):
     assert "unsafe" not in policy
     assert headers["X-Content-Type-Options"] == "nosniff"
     sandbox = server.ask("GET", "/page/sandbox.html")[1]["Content-Security-Policy"]
-    assert "sandbox allow-scripts;" in sandbox and "connect-src 'none'" in sandbox and "allow-same-origin" not in sandbox
+    assert ("sandbox allow-scripts;" in sandbox and "connect-src 'none'" in sandbox
+            and "allow-same-origin" not in sandbox)
     assert server.ask("GET", "/page/..%2Fapp.py")[0] == 404 and server.ask("GET", "/page/app.py")[0] == 404
-    page = sum(len(zlib.compress(server.ask("GET", f"/page/{name}")[2])) for name in os.listdir(BUILD / "python" / "fieldfab" / "serve" / "page"))
+    page = sum(len(zlib.compress(server.ask("GET", f"/page/{name}")[2]))
+               for name in os.listdir(BUILD / "python" / "fieldfab" / "serve" / "page"))
     assert page < 400_000
 
 
@@ -543,12 +581,14 @@ def test_other_machines_need_the_token(tmp_path):
     running = Server(tmp_path, "--host", "0.0.0.0", FIELDFAB_TOKEN="a-token-for-this-test")
     try:
         assert "?token=a-token-for-this-test" in running.address
-        for headers in ({}, {"Cookie": "fieldfab_token=wrong"}, {"Authorization": "Bearer wrong"}, {"Authorization": "a-token-for-this-test"}):
+        for headers in ({}, {"Cookie": "fieldfab_token=wrong"}, {"Authorization": "Bearer wrong"},
+                        {"Authorization": "a-token-for-this-test"}):
             assert running.ask("GET", "/api/documents", **headers)[0] == 401
         assert running.ask("GET", "/")[0] == 401 and running.ask("GET", "/?token=wrong")[0] == 401
         assert running.ask("GET", "/page/page.js")[0] == 401
         status, headers, _ = running.ask("GET", "/?token=a-token-for-this-test")
-        assert status == 302 and headers["Location"] == "/" and "HttpOnly" in headers["Set-Cookie"] and "SameSite=Strict" in headers["Set-Cookie"]
+        assert (status == 302 and headers["Location"] == "/" and "HttpOnly" in headers["Set-Cookie"]
+                and "SameSite=Strict" in headers["Set-Cookie"])
         assert running.ask("GET", "/api/documents", Cookie=headers["Set-Cookie"].split(";")[0])[0] == 200
         assert running.ask("GET", "/api/documents", Authorization="Bearer a-token-for-this-test")[0] == 200
     finally:
@@ -556,7 +596,8 @@ def test_other_machines_need_the_token(tmp_path):
 
 
 def test_scripts_run_only_where_they_are_allowed(server, tmp_path):
-    script = {"text": f"open({str(tmp_path / 'ran')!r}, 'w').close()\nfrom fieldfab.shapes import sphere\nsolid = sphere(5)\n", "language": "py"}
+    script = {"text": f"open({str(tmp_path / 'ran')!r}, 'w').close()\nfrom fieldfab.shapes import sphere\n"
+              "solid = sphere(5)\n", "language": "py"}
     refused(server.post("/api/look", script), 403, "--allow-scripts")
     assert server.ask("PUT", "/api/documents/script.py", b"")[0] == 400
     assert not (tmp_path / "ran").exists()
@@ -579,8 +620,9 @@ def test_garbage_and_idle_connections_do_no_harm(server):
 
 
 def test_a_short_siege(tmp_path):
-    """Clients that vanish, send garbage, flood and hold connections for 15 s; web_hostile.py does it for 10 minutes. A polite client gets its
-    pictures all the while, the server's memory stays, and it leaves and says nothing."""
+    """Clients that vanish, send garbage, flood and hold connections for 15 s; web_hostile.py does it for 10 minutes. A
+    polite client gets its pictures all the while; the server's memory does not grow, and it leaves no file and prints
+    nothing."""
     running = Server(tmp_path)
     try:
         waited, memory, said = asyncio.run(web_hostile.siege(running, 15, crowd=2))
@@ -592,11 +634,13 @@ def test_a_short_siege(tmp_path):
 
 
 def test_the_command_tells_what_is_wrong(tmp_path):
-    done = subprocess.run([COMMAND, "serve", tmp_path / "nowhere", "--no-browser"], capture_output=True, text=True, timeout=30)
+    done = subprocess.run([COMMAND, "serve", tmp_path / "nowhere", "--no-browser"], capture_output=True, text=True,
+                          timeout=30)
     assert done.returncode == 2 and "there is no such folder" in done.stderr
     running = Server(tmp_path)
     try:
-        done = subprocess.run([COMMAND, "serve", tmp_path, "--no-browser", "--port", str(running.port)], capture_output=True, text=True, timeout=30)
+        done = subprocess.run([COMMAND, "serve", tmp_path, "--no-browser", "--port", str(running.port)],
+                              capture_output=True, text=True, timeout=30)
         assert done.returncode == 2 and "in use" in done.stderr
         running.process.send_signal(signal.SIGINT)
         assert running.process.wait(10) == 130

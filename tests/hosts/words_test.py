@@ -1,4 +1,5 @@
-"""The workbench's translations: complete, of the sources as they are, and the same in the files that people edit and that FreeCAD reads."""
+"""The workbench's translations: complete, up to date with the sources, and the same in the files that people edit and
+that FreeCAD reads."""
 
 import importlib.util
 import string
@@ -21,7 +22,8 @@ def update():
 
 def placeholders(text):
     """What has to be the same in a translation: names in braces with their formats, file patterns, accelerators."""
-    names = sorted(f"{name}!{conversion}:{form}" for _, name, form, conversion in string.Formatter().parse(text) if name is not None)
+    names = sorted(f"{name}!{conversion}:{form}" for _, name, form, conversion in string.Formatter().parse(text)
+                   if name is not None)
     patterns = sorted(word.strip("();") for word in text.replace(";", " ").split() if "*." in word or "(*" in word)
     return names, patterns, text.count("&"), text.count("\n"), text[:1].isspace(), text[-1:].isspace()
 
@@ -40,7 +42,8 @@ def test_every_text_of_the_sources_is_translated_and_no_other(update, path):
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_what_is_filled_in_is_filled_in_every_translation(update, path):
-    different = [(text, translation) for (_, text), translation in update.translations(path).items() if placeholders(text) != placeholders(translation)]
+    different = [(text, translation) for (_, text), translation in update.translations(path).items()
+                 if placeholders(text) != placeholders(translation)]
     assert different == []
 
 
@@ -58,6 +61,7 @@ def test_no_text_is_formatted_before_it_is_translated(update):
     wrong = []
     for path in sorted(update.PACKAGE.rglob("*.py")):
         for node in update.ast.walk(update.ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, update.ast.Call) and getattr(node.func, "id", "") == "tr" and isinstance(node.args[0], (update.ast.JoinedStr, update.ast.BinOp)):
+            if (isinstance(node, update.ast.Call) and getattr(node.func, "id", "") == "tr"
+                    and isinstance(node.args[0], (update.ast.JoinedStr, update.ast.BinOp))):
                 wrong.append(f"{path.name}:{node.lineno}")
     assert wrong == []

@@ -149,9 +149,9 @@ RC_GTEST_PROP(Frep, TextFormsReadBackTheSameExpression, ()) {
 std::string random_text() {
   // clang-format off
   static const std::string_view pieces[] = {
-      "sphere(", "box(1, 2, 3)", "a", "b", " = ", "f(a, b) = ", "part(", "\"n\"", "\"red\"", ")", ", ", "\n", "\n", "; ", " + ", " - ",
-      " | ", "2.5", "1e99", "(", "# 1 to 2", "open(\"f\")", "½", "\"", "@", "\t", "x", "spheer(", "dx = ", "-3", "!", "q", "f(2)",
-      "e", " // ", "\xff", "1.5.5x", "a = 2\n", "union(", " * "};
+      "sphere(", "box(1, 2, 3)", "a", "b", " = ", "f(a, b) = ", "part(", "\"n\"", "\"red\"", ")", ", ", "\n", "\n",
+      "; ", " + ", " - ", " | ", "2.5", "1e99", "(", "# 1 to 2", "open(\"f\")", "½", "\"", "@", "\t", "x", "spheer(",
+      "dx = ", "-3", "!", "q", "f(2)", "e", " // ", "\xff", "1.5.5x", "a = 2\n", "union(", " * "};
   // clang-format on
   std::string text;
   const int count = draw(0, 40);

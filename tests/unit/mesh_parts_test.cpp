@@ -51,7 +51,8 @@ class MeshParts : public testing::Test {
   [[nodiscard]] std::vector<MeshPart> read(const std::string& resources, const std::string& build, Notes& notes) const {
     const std::string relationships =
         R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="r" )"
-        R"(Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
+        R"(Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>)"
+        "</Relationships>";
     {
       PendingFile file(path("b.3mf"));
       ZipWriter zip(file);
@@ -139,10 +140,11 @@ TEST_F(MeshParts, OnePlainPartIsThePlainFile) {
 
 const std::string mesh_element =
     R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/>)"
-    R"(<vertex x="0" y="0" z="1"/></vertices><triangles><triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/>)"
-    R"(<triangle v1="1" v2="2" v3="3"/><triangle v1="2" v2="0" v3="3"/></triangles></mesh>)";
-const std::string two_colours =
-    R"(<basematerials id="9"><base name="red" displaycolor="#FF0000"/><base name="blue" displaycolor=" #0000ffFF "/></basematerials>)";
+    R"(<vertex x="0" y="0" z="1"/></vertices><triangles><triangle v1="0" v2="2" v3="1"/>)"
+    R"(<triangle v1="0" v2="1" v3="3"/><triangle v1="1" v2="2" v3="3"/>)"
+    R"(<triangle v1="2" v2="0" v3="3"/></triangles></mesh>)";
+const std::string two_colours = R"(<basematerials id="9"><base name="red" displaycolor="#FF0000"/>)"
+                                R"(<base name="blue" displaycolor=" #0000ffFF "/></basematerials>)";
 
 TEST_F(MeshParts, OfItemsArePlacedAndNamed) {
   Notes notes;

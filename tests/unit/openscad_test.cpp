@@ -161,8 +161,12 @@ TEST(CsgSolids, HaveTheVolumesOfTheirFacets) {
 constexpr const char* zoo = R"(
 multmatrix([[0.8,-0.6,0,1],[0.6,0.8,0,2],[0,0,1,3],[0,0,0,1]]) { sphere($fn = 40, r = 5); }
 linear_extrude(height = 9) { difference() { circle($fn = 9, r = 8); circle($fn = 30, r = 3); } }
-multmatrix([[1,0,0,15],[0,2,0,0],[0,0,0.5,0],[0,0,0,1]]) { rotate_extrude(angle = 250, $fn = 30) { polygon(points = [[2,0],[5,1],[3,4]]); } }
-multmatrix([[1,0,0,0],[0,1,0,18],[0,0,1,0],[0,0,0,1]]) { linear_extrude(height = 9, twist = 70) { square(size = [6, 3], center = true); } }
+multmatrix([[1,0,0,15],[0,2,0,0],[0,0,0.5,0],[0,0,0,1]]) {
+  rotate_extrude(angle = 250, $fn = 30) { polygon(points = [[2,0],[5,1],[3,4]]); }
+}
+multmatrix([[1,0,0,0],[0,1,0,18],[0,0,1,0],[0,0,0,1]]) {
+  linear_extrude(height = 9, twist = 70) { square(size = [6, 3], center = true); }
+}
 difference() { cube(size = [3, 30, 3]); cylinder($fn = 5, h = 9, r1 = 2, r2 = 1); }
 )";
 

@@ -22,12 +22,14 @@ const std::string core = "http://schemas.microsoft.com/3dmanufacturing/core/2015
 const std::string production = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 const std::string relationships =
     R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="r" )"
-    R"(Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
+    R"(Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>)"
+    "</Relationships>";
 /// A tetrahedron of volume 1/6.
 const std::string tetrahedron =
     R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/>)"
-    R"(<vertex x="0" y="0" z="1"/></vertices><triangles><triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/>)"
-    R"(<triangle v1="1" v2="2" v3="3"/><triangle v1="2" v2="0" v3="3"/></triangles></mesh>)";
+    R"(<vertex x="0" y="0" z="1"/></vertices><triangles><triangle v1="0" v2="2" v3="1"/>)"
+    R"(<triangle v1="0" v2="1" v3="3"/><triangle v1="1" v2="2" v3="3"/>)"
+    R"(<triangle v1="2" v2="0" v3="3"/></triangles></mesh>)";
 
 std::string object(int id, const std::string& content, const std::string& attributes = "") {
   return fmt::format("<object id=\"{}\" {}>{}</object>", id, attributes, content);

@@ -1,1 +1,2 @@
-"""fabserver's server: `python3 -m fieldfab.serve` (docs/web.md). It knows the module fieldfab and nothing else of the house."""
+"""fabserver's server: `python3 -m fieldfab.serve` (docs/web.md). It imports the module fieldfab and nothing else of
+this project."""

@@ -42,7 +42,8 @@ def is_this_machine(host):
 
 def listening(host, port):
     """A socket that listens. The usual port where none is asked for, or a free one where that is taken."""
-    family, kind, protocol, _, address = socket.getaddrinfo(host, port if port is not None else USUAL_PORT, type=socket.SOCK_STREAM)[0]
+    family, kind, protocol, _, address = (
+        socket.getaddrinfo(host, port if port is not None else USUAL_PORT, type=socket.SOCK_STREAM)[0])
     try:
         return socket.create_server(address[:2], family=family)
     except OSError:
@@ -53,7 +54,8 @@ def listening(host, port):
 
 def is_our_fault(record):
     """Whether a line of the log is about us: those about clients that send garbage or vanish would have no end."""
-    return not (record.exc_info and isinstance(record.exc_info[1], (HttpProcessingError, ConnectionError, UnicodeError)))
+    return not (record.exc_info and isinstance(record.exc_info[1],
+                                               (HttpProcessingError, ConnectionError, UnicodeError)))
 
 
 def handle_exception(loop, context):

@@ -94,7 +94,8 @@ class Server:
         if path.name not in {each.name for each in PAGE.iterdir() if each.is_file()}:
             raise web.HTTPNotFound
         headers = {"Content-Security-Policy": SANDBOX_POLICY} if path.name == "sandbox.html" else {}
-        return web.FileResponse(path, headers={**headers, "Cache-Control": "no-cache", "X-Content-Type-Options": "nosniff"})
+        return web.FileResponse(path,
+                                headers={**headers, "Cache-Control": "no-cache", "X-Content-Type-Options": "nosniff"})
 
     async def description(self, request):
         return web.json_response(openapi.description())
@@ -102,7 +103,8 @@ class Server:
     # Documents
 
     async def list_documents(self, request):
-        return web.json_response({"documents": self.documents.names(), "scans": self.scans.names(), "scripts": self.allow_scripts, "formats": sorted(files.written_formats())})
+        return web.json_response({"documents": self.documents.names(), "scans": self.scans.names(),
+                                  "scripts": self.allow_scripts, "formats": sorted(files.written_formats())})
 
     async def read_document(self, request):
         data, version = self.documents.read(request.match_info["name"])
@@ -141,7 +143,8 @@ class Server:
         return web.Response(text=(EXAMPLES / name).read_text(encoding="utf-8"))
 
     async def library(self, request):
-        return web.json_response({"functions": ff.library(), "words": [{"kind": w.kind, "name": w.name} for w in ff.language.words("")]})
+        return web.json_response({"functions": ff.library(),
+                                  "words": [{"kind": w.kind, "name": w.name} for w in ff.language.words("")]})
 
     # Models
 
@@ -182,7 +185,8 @@ class Server:
     async def start_file(self, request):
         wanted = await self._checked("file", request)
         if wanted["extension"] not in files.written_formats():
-            raise wrong(f"'{wanted['extension'][:20]}' is no format of files; these are: {' '.join(sorted(files.written_formats()))}")
+            raise wrong(f"'{wanted['extension'][:20]}' is no format of files; "
+                        f"these are: {' '.join(sorted(files.written_formats()))}")
         return web.json_response(self.jobs.start(wanted, "model" + wanted["extension"]).told(), status=202)
 
     async def machining_tables(self, request):

@@ -1,4 +1,5 @@
-"""Jobs on a Dask cluster that runs elsewhere (`--scheduler ADDRESS`): each in a worker process of its own there, with the limits that it has here."""
+"""Jobs on a Dask cluster that runs elsewhere (`--scheduler ADDRESS`): each in a worker process of its own there, with
+the same limits as here."""
 
 import asyncio
 import os
@@ -24,9 +25,11 @@ class Cluster:
         async with self._connecting:
             if self._client is None or self._client.status != "running":
                 try:
-                    self._client = await distributed.Client(self.address, asynchronous=True, timeout=CONNECTING, set_as_default=False)
+                    self._client = await distributed.Client(self.address, asynchronous=True, timeout=CONNECTING,
+                                                            set_as_default=False)
                 except (OSError, TimeoutError, asyncio.TimeoutError, ValueError) as error:
-                    raise Refused(503, "cluster", f"the cluster at {self.address} does not answer: {str(error)[:200]}") from None
+                    raise Refused(503, "cluster",
+                                  f"the cluster at {self.address} does not answer: {str(error)[:200]}") from None
                 self._client.subscribe_topic(self._topic, self._take)
         return self._client
 
@@ -47,14 +50,17 @@ class ClusterWorker:
     """One job's worker; `processes.Worker` is its twin on this machine."""
 
     def __init__(self, cluster, topic):
-        self._cluster, self._topic, self._name, self._stopping = cluster, topic, f"fieldfab-{secrets.token_hex(8)}", None
+        self._cluster, self._topic, self._name, self._stopping = (
+            cluster, topic, f"fieldfab-{secrets.token_hex(8)}", None)
 
     async def ask(self, request, seconds):
-        """Yields (head, b"") of progress and of the result, whose files lie in `request["into"]` then. Raises Refused."""
+        """Yields (head, b"") of progress and of the result, whose files are in `request["into"]` then. Raises
+        Refused."""
         client = await self._cluster.client()
         news = self._cluster.listeners[self._name] = asyncio.Queue()
         inner = {key: value for key, value in request.items() if key != "into"}
-        future = client.submit(run, inner, LIMITS.memory, seconds, LIMITS.file, self._topic, self._name, key=self._name, pure=False, retries=0)
+        future = client.submit(run, inner, LIMITS.memory, seconds, LIMITS.file, self._topic, self._name, key=self._name,
+                               pure=False, retries=0)
         done = asyncio.ensure_future(future._result(raiseit=True))
         self._running = True
         try:
@@ -67,7 +73,8 @@ class ClusterWorker:
             try:
                 heads, files = done.result()
             except Exception as error:  # of the cluster: a worker that died, a module that is missing there
-                raise Refused(503, "cluster", f"the cluster failed: {type(error).__name__}: {str(error)[:300]}") from None
+                raise Refused(503, "cluster",
+                              f"the cluster failed: {type(error).__name__}: {str(error)[:300]}") from None
             for name, data in files.items():
                 with open(os.path.join(request["into"], os.path.basename(name)), "wb") as file:
                     file.write(data)

@@ -28,7 +28,8 @@ class Documents:
     def _path(self, name):
         """Raises Refused for what is no name of a document, and for a link that leads out of the folder."""
         if not self._is_name(name):
-            raise Refused(400, "name", f"'{name[:120]}' is no name of a document: letters, digits, spaces and . + - _, and .frep or .json at the end")
+            raise Refused(400, "name", f"'{name[:120]}' is no name of a document: "
+                          "letters, digits, spaces and . + - _, and .frep or .json at the end")
         path = os.path.join(self.folder, name)
         if os.path.dirname(os.path.realpath(path)) != self.folder:
             raise Refused(403, "name", f"'{name}' is a link that leads out of the folder")
@@ -38,7 +39,8 @@ class Documents:
         with os.scandir(self.folder) as entries:
             found = [entry for entry in entries if self._is_name(entry.name) and entry.is_file()]
         found = sorted(found, key=lambda entry: entry.stat().st_mtime, reverse=True)[: LIMITS.documents]
-        return [{"name": entry.name, "bytes": entry.stat().st_size, "changed": entry.stat().st_mtime} for entry in found]
+        return [{"name": entry.name, "bytes": entry.stat().st_size, "changed": entry.stat().st_mtime}
+                for entry in found]
 
     def read(self, name):
         """Its bytes, and their version."""
@@ -66,7 +68,8 @@ class Documents:
             raise
 
     def write(self, name, data, expected):
-        """Writes it where its version is the expected one ("*": whatever it is; None: there must be none yet). Returns the new version."""
+        """Writes the document if its version is the expected one ("*": any version; None: there must be none yet).
+        Returns the new version."""
         path = self._path(name)
         if len(data) > LIMITS.document:
             raise Refused(413, "too_large", f"the document has {len(data):,} bytes; {LIMITS.document:,} are possible")

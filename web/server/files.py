@@ -6,13 +6,15 @@ import fieldfab as ff
 
 from .models import Mistakes
 
-FORMULAS = {".frep": lambda model: ff.frep_text(model.parts), ".vm": lambda model: model.solid.vm(), ".math": lambda model: model.solid.math()}
+FORMULAS = {".frep": lambda model: ff.frep_text(model.parts), ".vm": lambda model: model.solid.vm(),
+            ".math": lambda model: model.solid.math()}
 
 
 def written_formats():
     """{extension: kind} of what a model can be written as."""
     kinds = {extension: each["kind"] for each in ff.formats() if each["writes"] for extension in each["extensions"]}
-    return {extension: kind for extension, kind in kinds.items() if extension in FORMULAS or kind in ("mesh", "distances") or extension == ".vdb"}
+    return {extension: kind for extension, kind in kinds.items()
+            if extension in FORMULAS or kind in ("mesh", "distances") or extension == ".vdb"}
 
 
 def keeps_parts(extension):
@@ -28,7 +30,8 @@ def plate(model, thickness):
 
 
 def write(model, request, progress):
-    """Writes the file `model` with the extension into the folder `request["into"]`; returns what there is to tell of it."""
+    """Writes the file `model` with the extension into the folder `request["into"]`. Returns the values to answer
+    with."""
     extension, told = request["extension"], {}
     path = os.path.join(request["into"], "model" + extension)
     if extension in FORMULAS:
@@ -45,7 +48,8 @@ def write(model, request, progress):
         ff.write_vdb(united, path, voxel=voxel, progress=progress)
     else:
         apart = keeps_parts(extension) and any(name for _, name, _ in parts)
-        meshes = [(ff.mesh(solid, voxel=voxel, progress=progress), name, colour) for solid, name, colour in (parts if apart else [(united, None, None)])]
+        meshes = [(ff.mesh(solid, voxel=voxel, progress=progress), name, colour)
+                  for solid, name, colour in (parts if apart else [(united, None, None)])]
         meshes = [each for each in meshes if len(each[0].triangles)]
         if not meshes:
             raise Mistakes("there is no surface: the solid is empty, or thinner than the cells")
@@ -53,5 +57,6 @@ def write(model, request, progress):
             ff.save_parts(meshes, path)
         else:
             meshes[0][0].save(path)
-        told.update(triangles=sum(len(each.triangles) for each, _, _ in meshes), certain=all(each.certainty.certain for each, _, _ in meshes))
+        told.update(triangles=sum(len(each.triangles) for each, _, _ in meshes),
+                    certain=all(each.certainty.certain for each, _, _ in meshes))
     return {"bytes": os.path.getsize(path), **told}

@@ -1,4 +1,5 @@
-"""Messages with a JSON head and a body of bytes: between the server and its workers, and, without the lengths' second half, on the WebSocket."""
+"""Messages of a JSON head and a body of bytes, between the server and its workers. The WebSocket uses them, too,
+without the second half of the lengths."""
 
 import json
 import struct

@@ -20,7 +20,8 @@ class Job:
         self.request, self.worker, self.task, self.changed = request, None, None, asyncio.Condition()
 
     def told(self):
-        return {"job": self.number, "name": self.name, "state": self.state, "progress": self.progress, "message": self.message, "result": self.result, "error": self.error}
+        return {"job": self.number, "name": self.name, "state": self.state, "progress": self.progress,
+                "message": self.message, "result": self.result, "error": self.error}
 
 
 class Jobs:

@@ -17,11 +17,15 @@ ROLES = ("cutting", "shank", "holder")
 
 
 def tables():
-    """All that panels are made from: machines, operations with the settings of their stages, and what joins their paths."""
+    """Tables that panels are made from: machines, operations with the settings of their stages, and the settings that
+    join their paths."""
     stages = {each["name"]: each for each in ff.cam.stages()}
-    operations = [{"name": name, "help": each["help"], "settings": [setting for stage in ff.cam.chain("solid", name) for setting in stages[stage]["settings"]]}
+    operations = [{"name": name, "help": each["help"],
+                   "settings": [setting for stage in ff.cam.chain("solid", name)
+                                for setting in stages[stage]["settings"]]}
                   for name, each in stages.items() if each["operation"]]
-    return {"machines": [ff.cam.machine(each) for each in ff.cam.machines()], "operations": operations, "joining": ff.cam.joining_settings()}
+    return {"machines": [ff.cam.machine(each) for each in ff.cam.machines()], "operations": operations,
+            "joining": ff.cam.joining_settings()}
 
 
 def toml_value(value):
@@ -29,14 +33,16 @@ def toml_value(value):
 
 
 def toml_of(job, model=None):
-    """A job as `fieldfab cam` reads it, of a model's file or of a part that is given. Its names and values were checked: none is a path."""
+    """A job as `fieldfab cam` reads it, of a model's file or of a given part. Its names and values were checked: none
+    is a path."""
     def table(head, values):
         return [head, *(f"{name} = {toml_value(value)}" for name, value in values.items()), ""]
 
     lines = [f"machine = {toml_value(job['machine'])}"]
     if job["material"]:
         lines.append(f"material = {toml_value(job['material'])}")
-    lines += ["", "[input]", *([f"model = {toml_value(model)}"] if model else []), f"zero = {toml_value(job['zero'])}", "", *table("[stock]", job["stock"])]
+    lines += ["", "[input]", *([f"model = {toml_value(model)}"] if model else []), f"zero = {toml_value(job['zero'])}",
+              "", *table("[stock]", job["stock"])]
     if job["setting"]:
         lines += table("[setting]", job["setting"])
     for name, tables_of_it in (("tool", job["tools"]), ("operation", job["operations"])):
@@ -68,7 +74,8 @@ class Drawing:
         """Normals and colours have four bytes each, the last one unused; corners two where that is enough."""
         four = np.zeros((len(vertices), 4), np.int8)
         four[:, :3] = np.rint(127 * normals)
-        told = {"vertices": len(vertices), "triangles": len(corners), "at": self._add(vertices.astype("<f4")), "normals": self._add(four),
+        told = {"vertices": len(vertices), "triangles": len(corners), "at": self._add(vertices.astype("<f4")),
+                "normals": self._add(four),
                 "corners": self._add(corners[:, :3].astype("<u2" if len(vertices) < 65536 else "<u4"))}
         if colours is not None:
             told["colours"] = self._add(np.hstack([colours, np.full((len(colours), 1), 255)]).astype(np.uint8))
@@ -83,7 +90,8 @@ def bent(start, end, bulge):
     shares = np.arange(1, count + 1) / count
     arm = start[:2] - centre
     turns = shares * angle
-    xy = centre + np.stack([np.cos(turns) * arm[0] - np.sin(turns) * arm[1], np.sin(turns) * arm[0] + np.cos(turns) * arm[1]], axis=1)
+    xy = centre + np.stack([np.cos(turns) * arm[0] - np.sin(turns) * arm[1],
+                            np.sin(turns) * arm[0] + np.cos(turns) * arm[1]], axis=1)
     return np.column_stack([xy, start[2] + shares * (end[2] - start[2])])
 
 
@@ -103,7 +111,8 @@ def ways_of(job):
 
 
 def plan(solid, job, into, progress):
-    """Writes the program, sheet.html, job.toml for `fieldfab cam`, and the tools' ways as ways.json and .bin. Returns what there is to tell."""
+    """Writes the program, sheet.html, job.toml for `fieldfab cam`, and the tools' ways as ways.json and .bin. Returns
+    the values to answer with."""
     text = toml_of(job)
     for name, content in (("setup.toml", text), ("job.toml", toml_of(job, "part.frep"))):
         with open(os.path.join(into, name), "w", encoding="utf-8") as file:
@@ -114,13 +123,15 @@ def plan(solid, job, into, progress):
     planned.save(os.path.join(into, program))
     planned.sheet(os.path.join(into, "sheet.html"))
     drawing = Drawing(os.path.join(into, "ways.bin"))
-    told = {"ways": [{"rapids": drawing.lines(rapids), "cuts": drawing.lines(cuts)} for rapids, cuts in ways_of(planned)]}
+    told = {"ways": [{"rapids": drawing.lines(rapids), "cuts": drawing.lines(cuts)}
+                     for rapids, cuts in ways_of(planned)]}
     drawing.close()
     with open(os.path.join(into, "ways.json"), "w", encoding="utf-8") as file:
         json.dump(told, file)
     reports = [{name: each[name] for name in ("name", "cut", "rapid", "seconds")} for each in planned.reports]
     low, high = np.array(planned.stock[:3]) + planned.zero, np.array(planned.stock[3:]) + planned.zero
-    return {"program": program, "notes": planned.notes, "reports": reports, "seconds": sum(each["seconds"] for each in reports), "stock": [*low.tolist(), *high.tolist()]}
+    return {"program": program, "notes": planned.notes, "reports": reports,
+            "seconds": sum(each["seconds"] for each in reports), "stock": [*low.tolist(), *high.tolist()]}
 
 
 def tool_parts(playback, drawing):
@@ -134,19 +145,23 @@ def tool_parts(playback, drawing):
 
 
 def simulate(solid, program, into, progress):
-    """Carries the program out. Writes report.html, and the stock while it is cut and the tool as stock.json and .bin. Returns what there is to tell."""
-    done = ff.stock.Simulation(os.path.join(into, "setup.toml"), os.path.join(into, program), part=solid, remember=True, progress=lambda share, words: progress(0.6 * share, words))
+    """Carries the program out. Writes report.html, and the stock while it is cut and the tool as stock.json and .bin.
+    Returns the values to answer with."""
+    done = ff.stock.Simulation(os.path.join(into, "setup.toml"), os.path.join(into, program), part=solid, remember=True,
+                               progress=lambda share, words: progress(0.6 * share, words))
     done.html(os.path.join(into, "report.html"))
     playback, surface, drawing = done.playback, ff.stock.Surface(), Drawing(os.path.join(into, "stock.bin"))
     if len(playback) == 0:
         raise Mistakes("the program moves nothing")
-    colours = np.array([done.colours_of_tools.get(int(tool), (150, 150, 150)) for tool in range(int(done.tools_of_cuts.max()) + 1)], np.uint8)
+    colours = np.array([done.colours_of_tools.get(int(tool), (150, 150, 150))
+                        for tool in range(int(done.tools_of_cuts.max()) + 1)], np.uint8)
     end, stills, poses = float(playback.seconds[-1]), [], []
     for i in range(STILLS + 1):
         progress(0.6 + 0.4 * i / STILLS, "pictures of the stock")
         changed = surface.update(playback.stock_at(end * i / STILLS))
         pieces = surface.to_draw(changed, COARSE)
-        stills.append({"seconds": end * i / STILLS, "pieces": [{"piece": index, **drawing.surface(v, n, c, colours[done.tools_of_cuts[cuts]])} for index, (v, n, c, cuts) in zip(changed, pieces)]})
+        stills.append({"seconds": end * i / STILLS, "pieces": [{"piece": index, **drawing.surface(
+            v, n, c, colours[done.tools_of_cuts[cuts]])} for index, (v, n, c, cuts) in zip(changed, pieces)]})
     for i in range(POSES + 1):
         at = playback.at(end * i / POSES)
         poses.append([*at["tip"], *at["axis"], at["tool"], at["line"]])
@@ -155,8 +170,10 @@ def simulate(solid, program, into, progress):
     with open(os.path.join(into, "stock.json"), "w", encoding="utf-8") as file:
         json.dump(told, file)
     report = done.report
-    events = [{name: each[name] for name in ("kind", "line", "amount") if name in each} for each in report["events"][:100]]
-    return {"good": bool(done.good), "events": events, "simulated": report["seconds"], "removed": report["removed"], "deviation": report.get("deviation")}
+    events = [{name: each[name] for name in ("kind", "line", "amount") if name in each}
+              for each in report["events"][:100]]
+    return {"good": bool(done.good), "events": events, "simulated": report["seconds"], "removed": report["removed"],
+            "deviation": report.get("deviation")}
 
 
 def machine(model, request, progress):

@@ -11,7 +11,8 @@ KEPT = 6
 FORMULAS = {"math": ff.parse_math, "vm": ff.parse_vm}
 SCRIPTS = ("py", "ko", "scad")
 # Formats that name no other file, which could lie anywhere.
-OPENED = (".frep", ".math", ".vm", ".asdf", ".stl", ".ply", ".off", ".obj", ".3mf", ".nii", ".nii.gz", ".vdb", ".tif", ".tiff")
+OPENED = (".frep", ".math", ".vm", ".asdf", ".stl", ".ply", ".off", ".obj", ".3mf", ".nii", ".nii.gz", ".vdb", ".tif",
+          ".tiff")
 
 
 class Mistakes(Exception):
@@ -75,12 +76,14 @@ def place_of(data, found):
 
 def parameters_of(text):
     data = text.encode()
-    return [{"name": each.name, "value": each.value, "range": each.range, "comment": each.comment, "offset": utf16(data, each.value_offset),
+    return [{"name": each.name, "value": each.value, "range": each.range, "comment": each.comment,
+             "offset": utf16(data, each.value_offset),
              "length": each.value_length} for each in ff.language.parameters(text)]
 
 
 def refuse_files_elsewhere(text, root, folder=None, seen=()):
-    """Raises Mistakes where a text of `folder` opens a file that is not below `root`, or of a format that can name further files."""
+    """Raises Mistakes where a text of `folder` opens a file that is not below `root`, or a file whose format can name
+    further files."""
     folder = folder or root
     tokens, data = ff.language.tokens(text), text.encode()
     words = [data[each.offset : each.offset + each.length] for each in tokens]
@@ -89,10 +92,12 @@ def refuse_files_elsewhere(text, root, folder=None, seen=()):
         if token.kind != "name" or word != b"open":
             continue
         following = tokens[i + 1 : i + 3]
-        name = following[1][1] if len(following) == 2 and following[0][1] == b"(" and following[1][0].kind == "string" else b"\\"
+        name = (following[1][1] if len(following) == 2 and following[0][1] == b"(" and following[1][0].kind == "string"
+                else b"\\")
         place = {"line": token.line, "column": token.column, "offset": utf16(data, token.offset), "length": 4}
         if b"\\" in name:
-            raise Mistakes("open() takes the plain name of a file here", [{"message": "open() takes the plain name of a file here", **place}])
+            raise Mistakes("open() takes the plain name of a file here",
+                           [{"message": "open() takes the plain name of a file here", **place}])
         name = name[1:-1].decode("utf-8", "replace")
         path = os.path.realpath(os.path.join(folder, name))
         message = ""
@@ -153,7 +158,8 @@ def scan_told(path):
     counts, edges = volume.histogram()
     step = -(-len(counts) // BINS)
     counts = [sum(counts[i : i + step]) for i in range(0, len(counts), step)]
-    return {"size": volume.size, "spacing": volume.spacing, "type": volume.type, "counts": counts, "from": edges[0], "to": edges[0] + step * len(counts) * (edges[1] - edges[0]),
+    return {"size": volume.size, "spacing": volume.spacing, "type": volume.type, "counts": counts, "from": edges[0],
+            "to": edges[0] + step * len(counts) * (edges[1] - edges[0]),
             "halfway": volume.threshold(), "otsu": volume.threshold("otsu")}
 
 
@@ -179,7 +185,8 @@ class Models:
         self._kept = collections.OrderedDict()
 
     def of(self, request):
-        made = lambda: make(request["text"], request["language"], request["values"], request["folder"])  # noqa: E731: shorter than a function
+        made = lambda: make(request["text"], request["language"], request["values"],  # noqa: E731: shorter
+                            request["folder"])
         opened = opened_files(request)
         if opened is None:
             return made()

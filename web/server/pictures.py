@@ -34,8 +34,10 @@ def fitting_window(model, request):
         scale = 1.06 * max((high[0] - low[0]) / request["width"], (high[1] - low[1]) / request["height"])
     else:
         x, y, _ = turned(middle, request["alpha"], request["beta"])
-        corners = [turned((a, b, c), request["alpha"], request["beta"]) for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])]
-        scale = 1.06 * max((max(p[i] for p in corners) - min(p[i] for p in corners)) / request[side] for i, side in enumerate(("width", "height")))
+        corners = [turned((a, b, c), request["alpha"], request["beta"]) for a in (low[0], high[0])
+                   for b in (low[1], high[1]) for c in (low[2], high[2])]
+        scale = 1.06 * max((max(p[i] for p in corners) - min(p[i] for p in corners)) / request[side]
+                           for i, side in enumerate(("width", "height")))
     half_x, half_y = scale * request["width"] / 2, scale * request["height"] / 2
     return x - half_x, y - half_y, x + half_x, y + half_y
 
@@ -43,7 +45,8 @@ def fitting_window(model, request):
 @functools.lru_cache(8)
 def sky(height):
     """The colours of the kernel's background, row by row: those of a picture of nothing."""
-    return ff.render(ff.Solid(1.0), "shaded", height, bounds=(0, 0, 0, 1, 1, 1), window=(0, 0, 8 / height, 1)).pixels[:, :1, :].copy()
+    return ff.render(ff.Solid(1.0), "shaded", height, bounds=(0, 0, 0, 1, 1, 1),
+                     window=(0, 0, 8 / height, 1)).pixels[:, :1, :].copy()
 
 
 def with_alpha(pixels, background):
@@ -78,7 +81,8 @@ def pixels_of(model, request, window, bounds, size, progress):
     if mode == "bitmap":
         settings["bounds"] = (*bounds[:2], request["z"], *bounds[3:5], request["z"])
         return ff.render(solid, **settings).pixels, mode, None
-    image = ff.render(solid, alpha=request["alpha"], beta=request["beta"], perspective=request["perspective"], parts=parts, **settings)
+    image = ff.render(solid, alpha=request["alpha"], beta=request["beta"], perspective=request["perspective"],
+                      parts=parts, **settings)
     if mode == "height":
         return image.pixels, mode, (image.zmin, image.zmax)
     return with_alpha(image.pixels, sky(image.height) if mode == "shaded" else np.zeros(3, np.uint8)), mode, None
@@ -90,12 +94,14 @@ def grown(bounds):
 
 
 def pictures(model, request, progress):
-    """Yields (what is told of a picture, its PNG): a coarse one where asked for, a fine one, and one with smooth edges where asked for."""
+    """Yields (head of a picture, its PNG): a coarse one if asked for, a fine one, and one with smooth edges if asked
+    for."""
     size, window, near = max(request["width"], request["height"]), request["window"], request["near"]
     if window is None or near is None or near[2] == near[5]:
         near = None
         window = window or fitting_window(model, request)
-    steps = [step for step, wanted in (("coarse", request["coarse"]), ("fine", request.get("fine", True)), ("smooth", request["smooth"])) if wanted]
+    steps = [step for step, wanted in (("coarse", request["coarse"]), ("fine", request.get("fine", True)),
+                                       ("smooth", request["smooth"])) if wanted]
     for step in steps:
         # Bounds take longer to find than a coarse picture: the last ones, grown, do for it.
         guessed = step == "coarse" and near is not None and not model.placed
@@ -106,7 +112,8 @@ def pictures(model, request, progress):
             if mode in ("height", "normals"):
                 continue
             pixels = halved(pixels)
-        told = {"quality": step, "last": step == steps[-1] and step != "coarse", "mode": mode, "window": window, "width": pixels.shape[1], "height": pixels.shape[0]}
+        told = {"quality": step, "last": step == steps[-1] and step != "coarse", "mode": mode, "window": window,
+                "width": pixels.shape[1], "height": pixels.shape[0]}
         if request["bounds"]:
             told.update(bounds=bounds, flat=bounds[2] == bounds[5])
         elif not guessed:
@@ -124,11 +131,14 @@ def pick(model, request, progress):
     else:
         solid, _ = cut(model, request["section"])
         half = max(model.bounds[3] - model.bounds[0], model.bounds[4] - model.bounds[1]) * 1e-4
-        image = ff.render(solid, "height", 9, alpha=request["alpha"], beta=request["beta"], bounds=model.bounds, window=(u - half, v - half, u + half, v + half), progress=progress)
+        image = ff.render(solid, "height", 9, alpha=request["alpha"], beta=request["beta"], bounds=model.bounds,
+                          window=(u - half, v - half, u + half, v + half), progress=progress)
         height = int(image.pixels[4, 4])
         if height == 0:
             return {"place": None}
-        place = turned_back((u, v, image.zmin + (height - 1) / 65534 * (image.zmax - image.zmin)), request["alpha"], request["beta"])
+        place = turned_back((u, v, image.zmin + (height - 1) / 65534 * (image.zmax - image.zmin)), request["alpha"],
+                            request["beta"])
     value = model.solid.value(*place)
-    names = [name for _, name, _ in sorted(model.parts, key=lambda part: part[0].value(*place))] if len(model.parts) > 1 else [None]
+    names = ([name for _, name, _ in sorted(model.parts, key=lambda part: part[0].value(*place))]
+             if len(model.parts) > 1 else [None])
     return {"place": place, "value": value if math.isfinite(value) else None, "part": names[0]}

@@ -1,4 +1,5 @@
-"""Worker processes as the server sees them: each has one request at a time, limits, and an end when it does not answer."""
+"""Worker processes as the server sees them: each has one request at a time and limits, and is ended when it does not
+answer."""
 
 import asyncio
 import collections
@@ -11,7 +12,8 @@ from .frames import frame, read_frame_later
 from .limits import LIMITS
 
 KEPT_TEXTS = 100
-GRACE = 4.0  # seconds in which a worker that is asked to stop may go on: killing one costs more than that on a busy machine
+# Seconds that a worker may go on when it is asked to stop: on a busy machine killing one costs more.
+GRACE = 4.0
 
 
 class Refused(Exception):
@@ -41,10 +43,12 @@ class Worker:
     async def start(self):
         if self._process is None:
             words = (sys.executable, "-m", f"{__package__}.worker", str(self.memory))
-            self._process = await asyncio.create_subprocess_exec(*words, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE)
+            self._process = await asyncio.create_subprocess_exec(*words, stdin=asyncio.subprocess.PIPE,
+                                                                 stdout=asyncio.subprocess.PIPE)
 
     async def ask(self, request, seconds):
-        """Yields (head, body) of each answer but the last, which only says that it is one. Raises Refused; returns early where it was stopped."""
+        """Yields (head, body) of each answer except the last, which only marks the end. Raises Refused; returns early
+        where it was stopped."""
         await self.start()
         self.text, self._stopping, self._hurried, done = request.get("text"), False, False, False
         self.since = asyncio.get_running_loop().time()
@@ -62,12 +66,15 @@ class Worker:
             if self._stopping:
                 return
             if self._hurried:
-                raise Refused(503, "busy", f"this takes longer than {LIMITS.crowded_seconds:g} s, and others wait; try again later") from None
-            raise Refused(422, "time", f"this takes longer than {seconds:g} s, which is what a request may take") from None
+                raise Refused(503, "busy", f"this takes longer than {LIMITS.crowded_seconds:g} s, and others wait; "
+                              "try again later") from None
+            raise Refused(422, "time",
+                          f"this takes longer than {seconds:g} s, which is what a request may take") from None
         except (asyncio.IncompleteReadError, ConnectionError):
             if self._stopping:
                 return
-            raise Refused(422, "memory", "the worker came to its end at this: it takes too much memory, or too deep a stack") from None
+            raise Refused(422, "memory",
+                          "the worker came to its end at this: it takes too much memory, or too deep a stack") from None
         finally:
             self._timeout = None
             if not done:

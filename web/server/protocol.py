@@ -1,4 +1,4 @@
-"""Requests, checked: what reaches a worker has the fields, kinds and sizes that the tables here and in docs/web.md say."""
+"""Checks of requests: what reaches a worker has the fields, types and sizes of the tables here and in docs/web.md."""
 
 import math
 import re
@@ -65,7 +65,8 @@ def window(value, name):
 def section(value, name):
     if not isinstance(value, dict):
         raise wrong(f"'{name}' must be an object with axis, at and keep")
-    return {"axis": one_of(value.get("axis"), "axis", ("x", "y", "z")), "at": number(value.get("at"), "at"), "keep": one_of(value.get("keep", "below"), "keep", ("below", "above"))}
+    return {"axis": one_of(value.get("axis"), "axis", ("x", "y", "z")), "at": number(value.get("at"), "at"),
+            "keep": one_of(value.get("keep", "below"), "keep", ("below", "above"))}
 
 
 def optional(check):
@@ -99,7 +100,8 @@ def points(value, name):
 
 
 # Of tools; a library, which would be a file, is none of them.
-TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length", "shank", "holder_diameter", "holder_length", "flutes")
+TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length",
+             "shank", "holder_diameter", "holder_length", "flutes")
 STOCK_KEYS = ("margin", "top", "thickness")
 SETTING_NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 
@@ -119,7 +121,8 @@ def settings(value, name, keys=None):
         if not SETTING_NAME.fullmatch(key) or (keys is not None and key not in keys):
             raise wrong(f"'{key[:40]}' is no setting of '{name}'")
         is_text = isinstance(each, str) and each not in ("NaN", "Infinity", "-Infinity")  # which JSON's numbers became
-        checked_values[key] = each if isinstance(each, bool) else short_text(each, f"{name}.{key}") if is_text else number(each, f"{name}.{key}")
+        checked_values[key] = (each if isinstance(each, bool) else short_text(each, f"{name}.{key}") if is_text
+                               else number(each, f"{name}.{key}"))
     return checked_values
 
 
@@ -131,15 +134,19 @@ def machining_job(value, name):
     lists = {each: value.get(each, []) for each in ("tools", "operations")}
     if any(not isinstance(each, list) or len(each) > 50 for each in lists.values()):
         raise wrong("'tools' and 'operations' must be lists of at most 50")
-    return {"machine": one_of(value.get("machine"), "machine", tuple(ff.cam.machines())), "material": short_text(value.get("material", ""), "material"),
-            "setting": settings(value.get("setting", {}), "setting"), "zero": one_of(value.get("zero", "model"), "zero", ("model", "corner", "centre")),
-            "stock": settings(value.get("stock", {}), "stock", STOCK_KEYS), "tools": [settings(each, "tool", TOOL_KEYS) for each in lists["tools"]],
+    return {"machine": one_of(value.get("machine"), "machine", tuple(ff.cam.machines())),
+            "material": short_text(value.get("material", ""), "material"),
+            "setting": settings(value.get("setting", {}), "setting"),
+            "zero": one_of(value.get("zero", "model"), "zero", ("model", "corner", "centre")),
+            "stock": settings(value.get("stock", {}), "stock", STOCK_KEYS),
+            "tools": [settings(each, "tool", TOOL_KEYS) for each in lists["tools"]],
             "operations": [settings(each, "operation") for each in lists["operations"]]}
 
 
 # {field: (check, default)} of each request; a field without default must be given.
 MUST = object()
-MODEL = {"text": (text, MUST), "language": (lambda v, n: one_of(v, n, FORMULAS + SCRIPTS), "frep"), "values": (parameter_values, {})}
+MODEL = {"text": (text, MUST), "language": (lambda v, n: one_of(v, n, FORMULAS + SCRIPTS), "frep"),
+         "values": (parameter_values, {})}
 VIEW = {
     "mode": (lambda v, n: one_of(v, n, MODES), "shaded"),
     "alpha": (number, 0.5),
@@ -167,7 +174,8 @@ REQUESTS = {
     "parameters": {"text": (text, MUST)},
     "scan": {"name": (lambda v, n: v if isinstance(v, str) else one_of(v, n, ()), MUST)},
     "words": {"text": (text, MUST), "offset": (lambda v, n: whole(v, n, 0, LIMITS.text), MUST)},
-    "file": {**MODEL, "extension": (lambda v, n: v if isinstance(v, str) else one_of(v, n, ()), MUST), "voxel": (optional(lambda v, n: number(v, n, 1e-6)), None),
+    "file": {**MODEL, "extension": (lambda v, n: v if isinstance(v, str) else one_of(v, n, ()), MUST),
+             "voxel": (optional(lambda v, n: number(v, n, 1e-6)), None),
              "thickness": (lambda v, n: number(v, n, 1e-6), 1.0)},
     "machine": {**MODEL, "job": (machining_job, MUST), "simulate": (flag, False)},
 }
@@ -188,5 +196,6 @@ def checked(do, given, folder, allow_scripts, beside=()):
     if do == "picture" and request["width"] * request["height"] > LIMITS.pixels:
         raise wrong(f"{request['width']} x {request['height']} pixels are more than {LIMITS.pixels:,}")
     if request.get("language") in SCRIPTS and not allow_scripts:
-        raise Refused(403, "scripts", f".{request['language']} scripts can do whatever their user can: they run only where the server was started with --allow-scripts")
+        raise Refused(403, "scripts", f".{request['language']} scripts can do whatever their user can: "
+                      "they run only where the server was started with --allow-scripts")
     return request

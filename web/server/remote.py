@@ -1,4 +1,5 @@
-"""What runs on the machines of a Dask cluster: one request in a worker process of its own. Knows the worker's side only."""
+"""Code that runs on the machines of a Dask cluster: one request in a worker process of its own. It knows the worker's
+side only."""
 
 import os
 import subprocess
@@ -10,8 +11,8 @@ from .frames import frame, read_frame
 
 
 def run(request, memory, seconds, most, topic, name):
-    """Returns (the answers that are no progress, {name: bytes} of the files it wrote). Tells progress under the topic; ends when the
-    event `name` is set, and after some seconds at the latest. `most`: bytes of its files in all."""
+    """Returns (the answers other than progress, {name: bytes} of the files it wrote). Publishes progress under the
+    topic. Ends when the event `name` is set, after some seconds at the latest. `most`: bytes of its files in all."""
     import distributed  # where this runs, it is there; the server imports it only where there is a cluster
 
     told, stopped, late = distributed.get_worker().log_event, distributed.Event(name), threading.Event()
@@ -51,9 +52,11 @@ def run(request, memory, seconds, most, topic, name):
                 ended.set()
                 process.kill()
         if late.is_set():
-            heads = [{"error": {"kind": "time", "message": f"this takes longer than {seconds:g} s, which is what a request may take"}}]
+            heads = [{"error": {"kind": "time",
+                                "message": f"this takes longer than {seconds:g} s, which is what a request may take"}}]
         elif not heads:
-            heads = [{"error": {"kind": "memory", "message": "the worker came to its end at this: it takes too much memory, or too deep a stack"}}]
+            heads = [{"error": {"kind": "memory", "message": "the worker came to its end at this: "
+                                "it takes too much memory, or too deep a stack"}}]
         paths = [os.path.join(folder, each) for each in os.listdir(folder)]
         if sum(map(os.path.getsize, paths)) > most:
             heads, paths = [{"error": {"kind": "too_large", "message": f"its files have more than {most:,} bytes"}}], []

@@ -13,16 +13,19 @@ COOKIE = "fieldfab_token"
 def policy(nonce):
     """Content-Security-Policy of the page: nothing from elsewhere, no inline scripts."""
     return (
-        f"default-src 'none'; script-src 'self'; style-src 'self' 'nonce-{nonce}'; img-src 'self' blob: data:; font-src 'self'; connect-src 'self'; "
-        "frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+        f"default-src 'none'; script-src 'self'; style-src 'self' 'nonce-{nonce}'; img-src 'self' blob: data:; "
+        "font-src 'self'; connect-src 'self'; frame-src 'self'; base-uri 'none'; form-action 'none'; "
+        "frame-ancestors 'none'"
     )
 
 
 # The frame that runs nodes' code has an origin of its own and reaches nothing: no network, no storage, no page.
 SANDBOX_POLICY = (
-    "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval' blob:; worker-src blob:; connect-src 'none'; frame-ancestors 'self'"
+    "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval' blob:; worker-src blob:; "
+    "connect-src 'none'; frame-ancestors 'self'"
 )
-REPORT_POLICY = "sandbox allow-popups; default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'"
+REPORT_POLICY = (
+    "sandbox allow-popups; default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'")
 NOTHING_POLICY = "default-src 'none'; frame-ancestors 'none'"
 
 
@@ -50,7 +53,8 @@ class Guard:
             answer.set_cookie(COOKIE, self.token, httponly=True, samesite="Strict", path="/")
             raise answer
         header = request.headers.get("Authorization", "")
-        if not self._same(request.cookies.get(COOKIE)) and not self._same(header.removeprefix("Bearer ") if header.startswith("Bearer ") else None):
+        if (not self._same(request.cookies.get(COOKIE))
+                and not self._same(header.removeprefix("Bearer ") if header.startswith("Bearer ") else None)):
             raise Refused(401, "token", "the token is missing or wrong: open the address that `fieldfab serve` printed")
 
 
@@ -63,16 +67,19 @@ def guarding(guard):
         except Refused as error:
             answer = web.json_response({"error": error.told}, status=error.status)
         except web.HTTPRequestEntityTooLarge:
-            answer = web.json_response({"error": {"kind": "too_large", "message": "the request is longer than requests may be", "mistakes": []}}, status=413)
+            answer = web.json_response({"error": {"kind": "too_large", "message": "the request is longer than requests "
+                                                  "may be", "mistakes": []}}, status=413)
         except web.HTTPFound as found:
             found.headers["Referrer-Policy"] = "no-referrer"
             raise
         except web.HTTPException as error:
-            answer = web.json_response({"error": {"kind": "http", "message": error.reason, "mistakes": []}}, status=error.status)
+            answer = web.json_response({"error": {"kind": "http", "message": error.reason, "mistakes": []}},
+                                       status=error.status)
         if not answer.prepared:
             answer.headers.setdefault("Content-Security-Policy", NOTHING_POLICY)
             answer.headers.setdefault("Cache-Control", "no-store")
-            answer.headers.update({"X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cross-Origin-Opener-Policy": "same-origin"})
+            answer.headers.update({"X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer",
+                                   "Cross-Origin-Opener-Policy": "same-origin"})
         return answer
 
     return middleware

@@ -20,7 +20,8 @@ class Scans:
     def path(self, name):
         """Raises Refused for what is no name of a scan."""
         if not NAME.fullmatch(name):
-            raise Refused(400, "name", f"'{name[:120]}' is no name of a scan: letters, digits, spaces and . + - _, and .nii, .nii.gz, .vdb or .tif at the end")
+            raise Refused(400, "name", f"'{name[:120]}' is no name of a scan: "
+                          "letters, digits, spaces and . + - _, and .nii, .nii.gz, .vdb or .tif at the end")
         return os.path.join(self._folder, name)
 
     def existing(self, name):
@@ -31,7 +32,8 @@ class Scans:
 
     def names(self):
         with os.scandir(self._folder) as entries:
-            return sorted(entry.name for entry in entries if NAME.fullmatch(entry.name) and entry.is_file(follow_symlinks=False))[: LIMITS.documents]
+            return sorted(entry.name for entry in entries
+                          if NAME.fullmatch(entry.name) and entry.is_file(follow_symlinks=False))[: LIMITS.documents]
 
     async def upload(self, name, request):
         """Writes the body of a request; a scan of that name is never written over."""

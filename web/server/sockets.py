@@ -1,4 +1,5 @@
-"""The WebSocket: views of models. Each view has at most one picture in the making, and at most one that waits: a newer request takes its place."""
+"""The WebSocket: views of models. Each view has at most one picture in the making and at most one that waits; a newer
+request replaces it."""
 
 import asyncio
 import contextlib
@@ -17,7 +18,8 @@ class View:
     """What one view of one socket asks for."""
 
     def __init__(self, session):
-        self._session, self._next, self._worker, self._task, self._finer, self._text = session, None, None, None, None, None
+        self._session, self._next, self._worker, self._task, self._finer, self._text = (
+            session, None, None, None, None, None)
 
     def ask(self, number, name, request):
         self._next = (number, name, request)
@@ -37,17 +39,22 @@ class View:
 
     async def _run(self):
         while self._next is not None:
-            async with self._session.turn, self._session.pool.worker(self._next[2]["text"], self._session.rank()) as self._worker:
-                (number, name, request), self._next = self._next, None  # the newest, after what may have been a long wait
+            async with (self._session.turn,
+                        self._session.pool.worker(self._next[2]["text"], self._session.rank()) as self._worker):
+                # The newest request: the wait may have been long.
+                (number, name, request), self._next = self._next, None
                 head = {"number": number, "view": name}
-                first = {**request, "fine": not request["coarse"], "smooth": request["smooth"] and not request["coarse"]}
+                first = {**request, "fine": not request["coarse"],
+                         "smooth": request["smooth"] and not request["coarse"]}
                 good = await self._answer(head, first, parameters=True)
-            if good and request["coarse"] and self._next is None:  # the coarse pictures of all go before the fine ones of any
+            # The coarse pictures of all clients go before the fine ones of any.
+            if good and request["coarse"] and self._next is None:
                 self._finer = asyncio.create_task(self._fine(head, request))
                 await asyncio.wait([self._finer])
 
     async def _fine(self, head, request):
-        async with self._session.turn, self._session.pool.worker(request["text"], 1 + self._session.rank()) as self._worker:
+        async with (self._session.turn,
+                    self._session.pool.worker(request["text"], 1 + self._session.rank()) as self._worker):
             if self._next is None:
                 await self._answer(head, {**request, "coarse": False})
             self._worker = None
@@ -58,7 +65,8 @@ class View:
         try:
             if parameters and request["text"] != self._text and request["language"] == "frep":
                 self._text = request["text"]
-                async for found, _ in self._worker.ask({"do": "parameters", "text": self._text}, LIMITS.picture_seconds):
+                async for found, _ in self._worker.ask({"do": "parameters", "text": self._text},
+                                                       LIMITS.picture_seconds):
                     self._session.tell({"type": "parameters", **head, **found})
             if self._next is not None:  # a newer request came between the two, which stops neither
                 return False
@@ -98,7 +106,8 @@ class Session:
         try:
             self._queue.put_nowait((head, body))
         except asyncio.QueueFull:
-            self._ended = asyncio.create_task(self._socket.close(code=aiohttp.WSCloseCode.TRY_AGAIN_LATER, message=b"answers are not read"))
+            self._ended = asyncio.create_task(self._socket.close(code=aiohttp.WSCloseCode.TRY_AGAIN_LATER,
+                                                                 message=b"answers are not read"))
 
     async def _send(self):
         with contextlib.suppress(ConnectionError, RuntimeError):
@@ -128,7 +137,8 @@ class Session:
                 raise wrong(f"a socket has at most {LIMITS.views} views")
             self._views.setdefault(name, View(self)).ask(number, name, request)
         except Refused as error:
-            self.tell({"type": "error", "number": number, "view": given.get("view") if number is not None else None, **error.told})
+            self.tell({"type": "error", "number": number, "view": given.get("view") if number is not None else None,
+                       **error.told})
 
     async def serve(self):
         sender = asyncio.create_task(self._send())

@@ -1,5 +1,6 @@
-"""A worker process: `python3 -m fieldfab.serve.worker MEMORY`. It takes one request after another on standard input and answers on standard
-output, in frames. Texts can ask for any memory, any time and any depth of stack: what goes wrong here ends here."""
+"""A worker process: `python3 -m fieldfab.serve.worker MEMORY`. It takes one request after another on standard input and
+answers on standard output, in frames. A text can ask for any memory, any time and any depth of stack: what goes wrong
+here ends here."""
 
 import ctypes
 import math
@@ -80,10 +81,13 @@ class Worker:
     def words(self, request):
         """Names that fit at an offset, which is JavaScript's here."""
         data = request["text"].encode()
-        offset = len(request["text"].encode("utf-16-le")[: 2 * request["offset"]].decode("utf-16-le", "replace").encode())
+        offset = len(
+            request["text"].encode("utf-16-le")[: 2 * request["offset"]].decode("utf-16-le", "replace").encode())
         found = ff.language.completions(data, offset)
-        entries = [{"kind": e.kind, "name": e.name, "signature": e.signature, "meaning": e.meaning, "insert": e.insert} for e in found.entries]
-        self.answer({"from": utf16(data, found.offset), "to": utf16(data, found.offset + found.length), "entries": entries})
+        entries = [{"kind": e.kind, "name": e.name, "signature": e.signature, "meaning": e.meaning, "insert": e.insert}
+                   for e in found.entries]
+        self.answer({"from": utf16(data, found.offset), "to": utf16(data, found.offset + found.length),
+                     "entries": entries})
 
     def file(self, request):
         self._told = None
@@ -94,7 +98,8 @@ class Worker:
         self.answer(machining.machine(self._models.of(request), request, self.told_progress))
 
     def serve(self):
-        known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters, self.scan, self.words, self.file, self.machine)}
+        known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters,
+                                                  self.scan, self.words, self.file, self.machine)}
         while True:
             request = self.requests.get()
             try:
@@ -103,14 +108,18 @@ class Worker:
             except Stopped:
                 self.answer({"done": True, "stopped": True})
             except Mistakes as error:
-                self.answer({"done": True, "error": {"kind": "bad_input", "message": str(error), "mistakes": error.places}})
+                self.answer({"done": True,
+                             "error": {"kind": "bad_input", "message": str(error), "mistakes": error.places}})
             except ff.Error as error:
-                self.answer({"done": True, "stopped": True} if error.kind == "cancelled" else {"done": True, "error": {"kind": error.kind, "message": str(error)}})
+                self.answer({"done": True, "stopped": True} if error.kind == "cancelled"
+                            else {"done": True, "error": {"kind": error.kind, "message": str(error)}})
             except MemoryError:
-                self.answer({"done": True, "error": {"kind": "memory", "message": "this takes more memory than a request may have"}})
+                self.answer({"done": True,
+                             "error": {"kind": "memory", "message": "this takes more memory than a request may have"}})
                 os._exit(1)  # what is left of it is unknown
             except Exception as error:  # a mistake of ours: told, not hidden
-                self.answer({"done": True, "error": {"kind": "internal", "message": f"{type(error).__name__}: {error}"}})
+                self.answer({"done": True,
+                             "error": {"kind": "internal", "message": f"{type(error).__name__}: {error}"}})
 
 
 def main():

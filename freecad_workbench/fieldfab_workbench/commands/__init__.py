@@ -1,4 +1,5 @@
-"""The workbench's commands: one module a toolbar. Each has TITLE and COMMANDS, {name: command} in its order; None is a separator."""
+"""The workbench's commands: one module for each toolbar. Each has TITLE and COMMANDS, {name: command} in the toolbar's
+order; None is a separator."""
 
 import FreeCADGui
 

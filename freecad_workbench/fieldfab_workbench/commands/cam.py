@@ -1,4 +1,5 @@
-"""Machining: set-ups, operations, plans, and what is made of them. What needs numpy is imported where it is used: the workbench must load quickly."""
+"""Commands of machining: set-ups, operations, plans and their results. The workbench must load quickly: modules that
+need numpy are imported where they are used."""
 
 import os
 import re
@@ -19,7 +20,8 @@ from .solids import selected
 def chosen_setup():
     """The set-up that is selected, or one of whose children is; else the document's only one; else None."""
     for obj in FreeCADGui.Selection.getSelection():
-        for candidate in (obj, getattr(obj, "Setup", None), cam_setup.setup_of(obj), getattr(getattr(obj, "Program", None), "Setup", None)):
+        for candidate in (obj, getattr(obj, "Setup", None), cam_setup.setup_of(obj),
+                          getattr(getattr(obj, "Program", None), "Setup", None)):
             if candidate is not None and cam_setup.is_setup(candidate):
                 return candidate
     every = [obj for obj in FreeCAD.ActiveDocument.Objects if cam_setup.is_setup(obj)] if FreeCAD.ActiveDocument else []
@@ -112,7 +114,8 @@ class WriteMachineFile(_OfProgram):
 def file_name(program):
     """The part's, where no file system minds; where several set-ups make it, with the set-up's."""
     part = program.Setup.Part
-    others = [obj for obj in program.Document.Objects if cam_setup.is_setup(obj) and obj != program.Setup and obj.Part == part]
+    others = [obj for obj in program.Document.Objects
+              if cam_setup.is_setup(obj) and obj != program.Setup and obj.Part == part]
     name = " ".join(filter(None, [part.Label if part else "", program.Setup.Label if others or not part else ""]))
     return re.sub(r'[\\/:*?"<>|\x00-\x1f]+', "_", name).strip(" .") + program.Extension
 
@@ -145,7 +148,8 @@ class ToPath(_OfProgram):
 
         program = chosen_program()
         document = program.Document
-        job = next((obj for obj in [*FreeCADGui.Selection.getSelection(), *document.Objects] if path_shim.is_job(obj)), None)
+        job = next((obj for obj in [*FreeCADGui.Selection.getSelection(), *document.Objects] if path_shim.is_job(obj)),
+                   None)
         document.openTransaction(self.title)
         try:
             path_jobs.to_job(program, job)
@@ -171,8 +175,8 @@ COMMANDS = {
         "settings have their defaults."),
     "Fieldfab_Plan": Plan(
         "Plan", "Plan", "Plan all paths of the CAM job",
-        "Plans the machine program of the selected job, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the "
-        "last good one."),
+        "Plans the machine program of the selected job, or of the document's only one, with a progress box. "
+        "A plan that fails or is cancelled keeps the last good one."),
     "Separator_Cam": None,
     "Fieldfab_WriteMachineFile": WriteMachineFile(
         "WriteMachineFile", "Post process", "Show the program in the machine's format, and save it",

@@ -25,8 +25,9 @@ def _in_a_dialog(activated):
 
 
 class Command:
-    """A command with its icon and its texts: in the menu, as tip (of the pointer and in the status bar), and as the longer help of Shift+F1. FreeCAD
-    translates them with the command's name as context. Registering gives it that name; `ready` says whether what it needs is chosen."""
+    """A command with its icon and its texts: in the menu, as tip (of the pointer and in the status bar), and as the
+    longer help of Shift+F1. FreeCAD translates the texts with the command's name as context. Registering gives the
+    command that name. `ready` says whether the selection is what it needs."""
 
     name = ""
 

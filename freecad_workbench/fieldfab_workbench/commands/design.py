@@ -10,7 +10,8 @@ from .command import Command
 
 
 class ShapeGallery(Command):
-    """Opens the gallery; the shape chosen there becomes a solid whose numbers are properties, with its task panel open: one undo step."""
+    """Opens the gallery. The chosen shape becomes a solid whose numbers are properties, with its task panel open: one
+    undo step."""
 
     def Activated(self):
         self.gallery = Gallery(FreeCADGui.getMainWindow(), whole=True)
@@ -36,6 +37,6 @@ TITLE = "Fieldfab design"
 COMMANDS = {
     "Fieldfab_ShapeGallery": ShapeGallery(
         "ShapeGallery", "Shape gallery", "Choose a shape by its picture and make a solid of it",
-        "Shows the pictures of all shapes of the library and of the designs, by groups or by words; nothing needs to be selected. The shape that is chosen "
-        "becomes an f-rep solid whose numbers are its parameters."),
+        "Shows the pictures of all shapes of the library and of the designs, by groups or by words; nothing needs to "
+        "be selected. The shape that is chosen becomes an f-rep solid whose numbers are its parameters."),
 }

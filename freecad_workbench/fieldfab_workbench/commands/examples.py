@@ -1,4 +1,5 @@
-"""Documents to begin with. They are opened as new documents, so that the files that came with the workbench stay as they are."""
+"""Example documents. Each is opened as a new document, so that the files that came with the workbench stay
+unchanged."""
 
 import os
 import shutil
@@ -46,11 +47,13 @@ def copies():
 
 def folders_of_start_page():
     """The folders whose files FreeCAD's start page shows besides its own."""
-    return [folder for folder in FreeCAD.ParamGet(START_PAGE).GetString("ShowCustomFolder", "").split(BETWEEN) if folder]
+    return [folder
+            for folder in FreeCAD.ParamGet(START_PAGE).GetString("ShowCustomFolder", "").split(BETWEEN) if folder]
 
 
 class OnStartPage(Command):
-    """Adds the user's own copies of the examples to the folders of FreeCAD's start page, or takes them away again; the user's other folders stay."""
+    """Adds the user's own copies of the examples to the folders of FreeCAD's start page, or removes them. The user's
+    other folders stay."""
 
     def __init__(self, *texts):
         super().__init__(*texts)
@@ -73,11 +76,15 @@ class OnStartPage(Command):
 TITLE = "Examples"
 COMMANDS = {
     "Fieldfab_ExampleBracket": Example(
-        "bracket.FCStd", "FrepSolid", "Bracket with parameters", "Open a bracket whose measures are parameters, as a new document",
-        "Opens a copy of an example: an angle bracket of .frep text. Its measures are properties; a double-click on it shows text and sliders."),
+        "bracket.FCStd", "FrepSolid", "Bracket with parameters",
+        "Open a bracket whose measures are parameters, as a new document",
+        "Opens a copy of an example: an angle bracket of .frep text. Its measures are properties; "
+        "a double-click on it shows text and sliders."),
     "Fieldfab_ExampleLattice": Example(
-        "lattice.FCStd", "LatticeInfill", "Knob filled with a gyroid", "Open a knob that is filled with a lattice, as a new document",
-        "Opens a copy of an example: a knob of .frep text, and a solid made of it by Lattice infill. Change the wall or the lattice by a double-click."),
+        "lattice.FCStd", "LatticeInfill", "Knob filled with a gyroid",
+        "Open a knob that is filled with a lattice, as a new document",
+        "Opens a copy of an example: a knob of .frep text, and a solid made of it by Lattice infill. "
+        "Change the wall or the lattice by a double-click."),
     "Fieldfab_ExampleMachining": Example(
         "machining.FCStd", "CamSetup", "Knob milled in five axes", "Open a CAM job with a planned five-axis program, as a new document",
         "Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that tilts "

@@ -65,7 +65,8 @@ class CrossCheck(Command):
 
 
 class ShowUncertainPlaces(Command):
-    """Shows the boxes of the selected solids, and the largest place of the first; takes them away where all of them are shown."""
+    """Shows the boxes of the selected solids, and zooms to the largest box of the first. Hides them where all of them
+    are shown."""
 
     def ready(self):
         return any(uncertain_places(obj) for obj in _chosen_solids())
@@ -118,9 +119,11 @@ COMMANDS = {
         "to show everything; the document is not changed."),
     "Fieldfab_ToMesh": ToMesh(
         "ToMesh", "To mesh", "Make a plain mesh of the selected solid, as it is now",
-        "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. There is no panel."),
+        "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. "
+        "There is no panel."),
     "Fieldfab_ToPartShape": ToPartShape(
-        "PartShape", "To Part shape", "Make a Part shape that follows the selected solid, reduced to some thousand flat faces",
-        "Makes an object for Part, Part Design and TechDraw that follows each selected solid. Its faces are flat: the mesh is reduced to the number of "
-        "triangles that its property MostTriangles says."),
+        "PartShape", "To Part shape",
+        "Make a Part shape that follows the selected solid, reduced to some thousand flat faces",
+        "Makes an object for Part, Part Design and TechDraw that follows each selected solid. "
+        "Its faces are flat: the mesh is reduced to the number of triangles that its property MostTriangles says."),
 }

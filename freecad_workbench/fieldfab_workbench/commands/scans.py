@@ -20,8 +20,9 @@ from .command import Command
 class ImportScan(Command):
     def Activated(self):
         patterns = pattern(dict.fromkeys((*extensions("volume", "distances", reads=True), *SLICES)))
-        path = QtWidgets.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), tr("Import scan: a volume, or any slice of a stack"), "",
-                                                     tr("Volumes and slices ({patterns});;All files (*)").format(patterns=patterns))[0]
+        path = QtWidgets.QFileDialog.getOpenFileName(
+            FreeCADGui.getMainWindow(), tr("Import scan: a volume, or any slice of a stack"), "",
+            tr("Volumes and slices ({patterns});;All files (*)").format(patterns=patterns))[0]
         if path:
             add_scan(path)
 
@@ -36,10 +37,11 @@ class RunScript(Command):
     def Activated(self):
         window = FreeCADGui.getMainWindow()
         patterns = pattern(extensions("script"))
-        path = QtWidgets.QFileDialog.getOpenFileName(window, self.title, "", tr("Scripts ({patterns})").format(patterns=patterns))[0]
+        path = QtWidgets.QFileDialog.getOpenFileName(window, self.title, "",
+                                                     tr("Scripts ({patterns})").format(patterns=patterns))[0]
         buttons = QtWidgets.QMessageBox
-        asked = tr("Run {path}?\n\nA script can do on this computer whatever you can: read, change and delete your files. "
-                   "Run it only if you trust whoever wrote it.").format(path=path)
+        asked = tr("Run {path}?\n\nA script can do on this computer whatever you can: "
+                   "read, change and delete your files. Run it only if you trust whoever wrote it.").format(path=path)
         if path and buttons.question(window, self.title, asked, buttons.Yes | buttons.No, buttons.No) == buttons.Yes:
             try:
                 add_script(path)
@@ -50,7 +52,8 @@ class RunScript(Command):
 def add_script(path):
     """Runs a script, in a process of its own, and adds the solid that it makes, or the group of its parts; the document
     keeps the formulas, not the script. Raises ValueError with the script's line, and work.Cancelled."""
-    parts = work.run(lambda progress: _parts_of(path, progress), tr("Running {path}").format(path=os.path.basename(path)))
+    parts = work.run(lambda progress: _parts_of(path, progress),
+                     tr("Running {path}").format(path=os.path.basename(path)))
     document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
     made = part_files.add(path, document.Name, files.name_of(path), FrepSolid, parts)
     if FreeCAD.GuiUp:
@@ -61,9 +64,11 @@ def add_script(path):
 def _parts_of(path, progress):
     """[(name, colour, {property: value})] for part_files.add()."""
     fieldfab = kernel.load()
-    python_path = os.pathsep.join([os.path.dirname(os.path.dirname(fieldfab.__file__)), os.environ.get("PYTHONPATH", "")]).rstrip(os.pathsep)
+    python_path = os.pathsep.join([os.path.dirname(os.path.dirname(fieldfab.__file__)),
+                                   os.environ.get("PYTHONPATH", "")]).rstrip(os.pathsep)
     with tempfile.TemporaryFile() as said:
-        process = subprocess.Popen([shutil.which("python3") or "python3", "-m", "fieldfab.script", path], env={**os.environ, "PYTHONPATH": python_path},
+        process = subprocess.Popen([shutil.which("python3") or "python3", "-m", "fieldfab.script", path],
+                                   env={**os.environ, "PYTHONPATH": python_path},
                                    stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.DEVNULL)
         try:
             while process.poll() is None:
@@ -80,7 +85,8 @@ def _parts_of(path, progress):
         answer = said.read().decode(errors="replace")
     if answer.startswith("ok\n"):
         try:
-            return [(name, colour, {"Expression": solid.math()}) for solid, name, colour in fieldfab.parse_parts(answer[3:])]
+            return [(name, colour, {"Expression": solid.math()})
+                    for solid, name, colour in fieldfab.parse_parts(answer[3:])]
         except fieldfab.Error as error:
             raise ValueError(f"{path}: {error}") from None
     _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("the process ended without a result"))
@@ -95,6 +101,6 @@ COMMANDS = {
         "histogram and asks for the threshold, the crop and the clean-up; the whole volume is computed only at OK."),
     "Fieldfab_RunScript": RunScript(
         "RunScript", "Run script", "Run a script that makes solids, after asking, and keep their formulas",
-        "Asks for a Python script or one of kokopelli, and whether it may run, since it can do whatever you can. The document keeps the formula of each "
-        "part that it makes, not the script."),
+        "Asks for a Python script or one of kokopelli, and whether it may run, since it can do whatever you can. "
+        "The document keeps the formula of each part that it makes, not the script."),
 }

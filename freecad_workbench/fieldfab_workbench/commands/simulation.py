@@ -34,7 +34,8 @@ class PlaySimulation(Command):
 
     @staticmethod
     def _chosen():
-        return [obj for obj in FreeCADGui.Selection.getSelection() if isinstance(getattr(obj, "Proxy", None), simulation.Simulation)]
+        return [obj for obj in FreeCADGui.Selection.getSelection()
+                if isinstance(getattr(obj, "Proxy", None), simulation.Simulation)]
 
 
 TITLE = "Simulation"
@@ -46,6 +47,6 @@ COMMANDS = {
         "and the target."),
     "Fieldfab_PlaySimulation": PlaySimulation(
         "PlaySimulation", "Play simulation", "Show the selected simulation move by move, its events and deviations",
-        "Opens the panel of the selected simulation: the stock at any moment, tool and axes, the program's lines, events with the worst first, and "
-        "deviations in colours."),
+        "Opens the panel of the selected simulation: the stock at any moment, tool and axes, the program's lines, "
+        "events with the worst first, and deviations in colours."),
 }

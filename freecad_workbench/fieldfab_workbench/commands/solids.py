@@ -9,7 +9,8 @@ from .command import Command
 
 
 class NewSolid(Command):
-    """Adds a solid of one kind, made from what is selected, and opens its task panel: one undo step, which Cancel takes back."""
+    """Adds a solid of one kind, made from the selection, and opens its task panel: one undo step, which Cancel takes
+    back."""
 
     def __init__(self, kind, words, tip, help, needs=0, **properties):
         super().__init__(properties.get("Operation", kind.NAME), words, tip, help)
@@ -42,22 +43,24 @@ class NewSolid(Command):
 
 def selected():
     """The selected objects that bound something."""
-    return [obj for obj in FreeCADGui.Selection.getSelection() if hasattr(obj, "Mesh") or getattr(getattr(obj, "Shape", None), "Solids", None)]
+    return [obj for obj in FreeCADGui.Selection.getSelection()
+            if hasattr(obj, "Mesh") or getattr(getattr(obj, "Shape", None), "Solids", None)]
 
 
 TITLE = "Fieldfab"
 COMMANDS = {
     "Fieldfab_NewFrepSolid": NewSolid(
         frep_solid.FrepSolid, "New f-rep solid", "Make a solid from a formula, recomputed whenever the formula changes",
-        "Makes a solid from .frep text or a prefix math string; nothing needs to be selected. The panel has an editor, a slider for each number of the "
-        "text, and the resolution; the solid is seen while it is written."),
+        "Makes a solid from .frep text or a prefix math string; nothing needs to be selected. The panel has an editor, "
+        "a slider for each number of the text, and the resolution; the solid is seen while it is written."),
     "Fieldfab_SolidFromObject": NewSolid(
         solid_from_object.SolidFromObject, "Solid from object", "Make a solid of the selected mesh, Part object or body",
         "Makes a solid of a mesh, a Part object or a body, which follows that object. Select the object first. "
         "Holes and overlaps of a mesh do no harm; the panel asks how far triangles may be from a Part shape.", 1),
     "Fieldfab_Union": NewSolid(
         combine.Combine, "Union", "Unite the selected solids",
-        "Makes one solid of two or more. Select solids, meshes, Part objects or bodies; the panel lists them and takes others in.", 2, Operation="Union"),
+        "Makes one solid of two or more. Select solids, meshes, Part objects or bodies; "
+        "the panel lists them and takes others in.", 2, Operation="Union"),
     "Fieldfab_Intersection": NewSolid(
         combine.Combine, "Intersection", "Make the intersection of the selected solids",
         "Makes the common volume of two or more solids. Select solids, meshes, Part objects or bodies; the panel "
@@ -70,14 +73,16 @@ COMMANDS = {
         Operation="Difference"),
     "Fieldfab_Blend": NewSolid(
         combine.Combine, "Blend", "Unite the selected solids with a fillet",
-        "Makes one solid of two or more, with a fillet where they meet. Select them first; the panel asks for the fillet's radius.", 2, Operation="Blend"),
+        "Makes one solid of two or more, with a fillet where they meet. Select them first; "
+        "the panel asks for the fillet's radius.", 2, Operation="Blend"),
     "Fieldfab_Morph": NewSolid(
         combine.Combine, "Morph", "Make a solid between two selected solids",
         "Makes a solid between two others. Select both; the panel asks for the weight: 0 gives the first, 1 the "
         "second.", 2, Operation="Morph"),
     "Fieldfab_Offset": NewSolid(
         modify.Modify, "Offset", "Grow or shrink the selected solid",
-        "Makes a solid whose surface lies at a distance from that of the selected one. The panel asks for the distance: outwards, below 0 inwards.", 1,
+        "Makes a solid whose surface lies at a distance from that of the selected one. "
+        "The panel asks for the distance: outwards, below 0 inwards.", 1,
         Operation="Offset"),
     "Fieldfab_Shell": NewSolid(
         modify.Modify, "Shell", "Hollow the selected solid",
@@ -85,11 +90,12 @@ COMMANDS = {
         "thickness.", 1, Operation="Shell"),
     "Fieldfab_LatticeInfill": NewSolid(
         modify.Modify, "Lattice infill", "Hollow the selected solid and fill it with a lattice",
-        "Makes a light solid of the selected one: a wall, and a lattice inside. The panel asks for the wall, the kind of lattice, the edge of its cell and "
-        "the thickness of its struts.", 1, Operation="Lattice infill"),
+        "Makes a light solid of the selected one: a wall, and a lattice inside. The panel asks for the wall, "
+        "the kind of lattice, the edge of its cell and the thickness of its struts.", 1, Operation="Lattice infill"),
     "Fieldfab_Mirror": NewSolid(
         modify.Modify, "Mirror", "Mirror the selected solid",
-        "Makes the mirror image of the selected solid, with or without the original. The panel asks for the mirror's normal and a point of it.", 1,
+        "Makes the mirror image of the selected solid, with or without the original. "
+        "The panel asks for the mirror's normal and a point of it.", 1,
         Operation="Mirror"),
     "Fieldfab_LinearArray": NewSolid(
         modify.Modify, "Linear array", "Copy the selected solid in a row",
@@ -102,6 +108,7 @@ COMMANDS = {
         Operation="Polar array"),
     "Fieldfab_Transform": NewSolid(
         modify.Modify, "Transform", "Scale, turn and move the selected solid",
-        "Makes a solid of the selected one, scaled along x, y and z, turned about an axis and moved. The panel asks for all of these.", 1,
+        "Makes a solid of the selected one, scaled along x, y and z, turned about an axis and moved. "
+        "The panel asks for all of these.", 1,
         Operation="Transform"),
 }

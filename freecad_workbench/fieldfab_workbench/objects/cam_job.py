@@ -1,4 +1,5 @@
-"""A set-up as a job for the kernel (docs/cam.md), and what comes of it. Texts are made on the GUI thread, plans anywhere."""
+"""A set-up as a job for the kernel (docs/cam.md), and its results. Texts are made on the GUI thread, plans on any
+thread."""
 
 import hashlib
 import json
@@ -16,7 +17,7 @@ from .solid import source_of
 
 
 class JobError(ValueError):
-    """What is wrong with a job, and with which setting: `object` (its name in the document) and `setting` where known."""
+    """An error in a job. `object`: name of the object in the document; `setting`: name of the setting, where known."""
 
     def __init__(self, words, object=None, setting=""):
         super().__init__(words)
@@ -24,7 +25,8 @@ class JobError(ValueError):
 
 
 class Job:
-    """`text`: the job file. `places`: {line of it: (name of an object, name of a setting)}. `source`: the part, a sources.Source."""
+    """A job for the kernel. `text`: the job file. `places`: {line of it: (name of an object, name of a setting)}.
+    `source`: the part, a sources.Source."""
 
     def __init__(self, setup):
         """Raises JobError."""
@@ -94,7 +96,8 @@ class Job:
         if problem:
             raise JobError(f"{operation.Label}: {problem[0]} {problem[1]}", operation.Name, problem[0])
         if operation.Tool is not None and operation.Tool not in setup.Tools:
-            raise JobError(tr("{label}: its tool is not one of the set-up's").format(label=operation.Label), operation.Name, "tool")
+            raise JobError(tr("{label}: its tool is not one of the set-up's").format(label=operation.Label),
+                           operation.Name, "tool")
         if operation.Tool is None and len(setup.Tools) > 1:
             raise JobError(tr("{label}: choose a tool").format(label=operation.Label), operation.Name, "tool")
         self._head("[[operation]]", operation)
@@ -106,7 +109,8 @@ class Job:
             self._add(name, value, operation)
 
     def plan(self, progress=None):
-        """Plans all paths; a Plan. Raises JobError for what cannot be done, fieldfab.Error for what went wrong or was cancelled."""
+        """Plans all paths and returns a Plan. Raises JobError for a job that cannot be planned, and fieldfab.Error
+        where planning failed or was cancelled."""
         fieldfab = kernel.load()
         try:
             job = fieldfab.cam.Job.parse(self.text, self.source.field(progress), "job", progress)
@@ -133,7 +137,8 @@ class Plan:
 
     def __init__(self, order, job):
         self.text, self.digest, self.extension = order.text, order.digest, order.extension
-        self.moves, self.sections, self.reports, self.notes = list(job.moves), list(job.sections), list(job.reports), list(job.notes)
+        self.moves, self.sections, self.reports, self.notes = (
+            list(job.moves), list(job.sections), list(job.reports), list(job.notes))
         self.zero, self.stock = tuple(job.zero), tuple(job.stock)
         with tempfile.TemporaryDirectory() as folder:
             program, sheet = os.path.join(folder, "program"), os.path.join(folder, "sheet.html")

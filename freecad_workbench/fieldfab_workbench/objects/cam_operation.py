@@ -41,7 +41,8 @@ class CamOperation(WithSettings):
         return value
 
     def onChanged(self, obj, name):
-        if name in ("Type", "Tool") and "Given" in obj.PropertiesList and not obj.Document.Restoring and not obj.Document.Transacting:
+        if (name in ("Type", "Tool") and "Given" in obj.PropertiesList and not obj.Document.Restoring
+                and not obj.Document.Transacting):
             self.settle(obj)
         super().onChanged(obj, name)
 

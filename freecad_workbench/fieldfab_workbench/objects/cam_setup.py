@@ -8,7 +8,8 @@ from .document_object import WithSettings, create_object
 
 NO_MATERIAL = marked("any")
 ZEROS = marked(("model", "corner", "centre"))
-STOCKS = marked({"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"), "Object": ("StockObject",)})
+STOCKS = marked({"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"),
+                 "Object": ("StockObject",)})
 
 
 class CamSetup(WithSettings):
@@ -45,7 +46,8 @@ class CamSetup(WithSettings):
         return workflow.machine(obj.Machine)["materials"].get(obj.Material, {}).get(setting.name, setting.default)
 
     def onChanged(self, obj, name):
-        if "Given" in obj.PropertiesList and not self._settling and not obj.Document.Restoring and not obj.Document.Transacting:
+        if ("Given" in obj.PropertiesList and not self._settling and not obj.Document.Restoring
+                and not obj.Document.Transacting):
             if name == "Machine" and "Material" in obj.PropertiesList:
                 self._offer_materials(obj)
             if name in ("Machine", "Material"):

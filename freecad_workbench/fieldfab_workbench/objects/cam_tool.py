@@ -8,7 +8,8 @@ from .document_object import DocumentObject, create_object
 
 # What each shape needs besides a diameter.
 SHAPES = marked({
-    "flat": (), "ball": (), "bull": ("CornerRadius",), "v": ("Angle", "TipDiameter"), "tapered": ("Angle", "CornerRadius"), "drill": ("Angle",),
+    "flat": (), "ball": (), "bull": ("CornerRadius",), "v": ("Angle", "TipDiameter"),
+    "tapered": ("Angle", "CornerRadius"), "drill": ("Angle",),
 })
 # Properties by their names in job files (docs/cam.md).
 LENGTHS = {
@@ -25,8 +26,10 @@ LENGTHS = {
 
 # What tools of each shape are called, after their diameter.
 NAMES = {
-    "flat": marked("{diameter} end mill"), "ball": marked("{diameter} ball end mill"), "bull": marked("{diameter} bull-nose end mill"),
-    "v": marked("{diameter} V-bit"), "tapered": marked("{diameter} tapered ball end mill"), "drill": marked("{diameter} drill"),
+    "flat": marked("{diameter} end mill"), "ball": marked("{diameter} ball end mill"),
+    "bull": marked("{diameter} bull-nose end mill"),
+    "v": marked("{diameter} V-bit"), "tapered": marked("{diameter} tapered ball end mill"),
+    "drill": marked("{diameter} drill"),
 }
 
 
@@ -50,7 +53,8 @@ class CamTool(DocumentObject):
 
     def onBeforeChange(self, obj, name):
         if name in ("Shape", "Diameter"):
-            self._follows = _in_its_own_history(obj) and bool(re.fullmatch("|".join(re.escape(each) + r"\d*" for each in _names(obj)), obj.Label))
+            pattern = "|".join(re.escape(each) + r"\d*" for each in _names(obj))
+            self._follows = _in_its_own_history(obj) and bool(re.fullmatch(pattern, obj.Label))
 
     def onChanged(self, obj, name):
         if name == "Shape":
@@ -71,7 +75,8 @@ class CamTool(DocumentObject):
 
 
 def _in_its_own_history(obj):
-    return not obj.Document.Restoring and not obj.Document.Transacting and {"Shape", "Diameter"} <= set(obj.PropertiesList)
+    return (not obj.Document.Restoring and not obj.Document.Transacting
+            and {"Shape", "Diameter"} <= set(obj.PropertiesList))
 
 
 def name_of(obj):
@@ -80,9 +85,11 @@ def name_of(obj):
 
 
 def _names(obj):
-    """The same in the user's language and unit, in English, in mm and in inches, and as documents of earlier versions have it."""
+    """Names that a tool may have: in the user's language and unit, in English, in mm and in inches, and as documents of
+    earlier versions have it."""
     diameter, form = obj.Diameter.Value, NAMES[obj.Shape]
-    sizes, forms = (units.told(diameter, digits=6), f"{diameter:g} mm", f"{diameter / units.INCH:.6g} in"), (tr(form), form)
+    sizes, forms = ((units.told(diameter, digits=6), f"{diameter:g} mm", f"{diameter / units.INCH:.6g} in"),
+                    (tr(form), form))
     return *(form.format(diameter=size) for size in sizes for form in forms), f"{diameter:g} mm {obj.Shape}"
 
 
@@ -96,7 +103,8 @@ def described(obj):
             told[name] = value
     if "Angle" in needed:
         told["angle"] = obj.Angle.Value
-    for name, value in (("flutes", obj.Flutes), ("feed", obj.Feed.Value * 60), ("plunge", obj.Plunge.Value * 60), ("spindle", obj.Spindle)):
+    for name, value in (("flutes", obj.Flutes), ("feed", obj.Feed.Value * 60), ("plunge", obj.Plunge.Value * 60),
+                        ("spindle", obj.Spindle)):
         if value > 0:
             told[name] = value
     return {**told, "name": obj.Label}

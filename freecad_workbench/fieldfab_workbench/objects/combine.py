@@ -11,7 +11,8 @@ OPERATIONS = marked(("Union", "Intersection", "Difference", "Blend", "Morph"))
 
 
 class Combine(Solid):
-    """Union, intersection, difference (the first without the others), blend (a union with a fillet) and morph of other objects' solids."""
+    """Union, intersection, difference (the first without the others), blend (a union with a fillet) or morph of other
+    objects' solids."""
 
     NAME = "Combine"
 
@@ -35,7 +36,8 @@ class Combine(Solid):
 
     def csg(self, obj):
         """Of shapes of OpenSCAD: it knows how their faces meet, and flat ones."""
-        texts = [csg_of(each) for each in obj.Sources] if obj.Operation in ("Union", "Intersection", "Difference") else []
+        texts = ([csg_of(each) for each in obj.Sources]
+                 if obj.Operation in ("Union", "Intersection", "Difference") else [])
         return node(f"{obj.Operation.lower()}()", obj.Label, texts) if len(texts) > 1 and None not in texts else None
 
     def source(self, obj):
@@ -57,7 +59,8 @@ class Combine(Solid):
             "Blend": lambda a, b: a.blend(b, radius),
             "Morph": lambda a, b: a.morph(b, weight),
         }[operation]
-        key = ("combine", operation, radius if operation == "Blend" else 0, weight if operation == "Morph" else 0, *(s.digest for s in sources))
+        key = ("combine", operation, radius if operation == "Blend" else 0, weight if operation == "Morph" else 0,
+               *(s.digest for s in sources))
 
         def make(progress):
             if operation == "Blend":

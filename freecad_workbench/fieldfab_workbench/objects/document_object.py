@@ -5,7 +5,8 @@ from ..mistakes import in_a_line
 
 
 class DocumentObject:
-    """A proxy that keeps nothing of its own in the document. What its execute() raises for the user is one line in FreeCAD's report view."""
+    """A proxy that stores nothing of its own in the document. Errors of its execute() for the user become one line in
+    FreeCAD's report view."""
 
     NAME = "Object"
 
@@ -57,8 +58,9 @@ class DocumentObject:
 
 
 class WithSettings(DocumentObject):
-    """An object with a property for each setting of some stages. A setting counts as given once somebody has changed it (or drives it by an
-    expression); all others follow their defaults. The names of those given are kept in the hidden property Given."""
+    """An object with a property for each setting of some stages. A setting counts as given once a user has changed it
+    or has driven it by an expression; all others follow their defaults. The hidden property Given keeps the names of
+    the given ones."""
 
     _settling = False
 
@@ -74,8 +76,9 @@ class WithSettings(DocumentObject):
         return setting.default
 
     def settle(self, obj):
-        """Gives the object the properties of its settings and shows those that matter. Those of other types stay, hidden: FreeCAD's undo loses a
-        property that goes and comes again in one step, and what was given is there again when somebody comes back to the type."""
+        """Gives the object the properties of its settings and shows those that matter. Properties of other types stay,
+        hidden, for two reasons: FreeCAD's undo loses a property that goes and comes back in one step, and given values
+        are kept for when the user returns to the type."""
         if self._settling:
             return
         self._settling = True
@@ -113,7 +116,8 @@ class WithSettings(DocumentObject):
             obj.setEditorMode(name, 0 if name in shown else 2)
 
     def onChanged(self, obj, name):
-        """Notes that a setting is given now, unless the change is ours, or of a document that is opened or goes back in its history."""
+        """Notes that a setting is given now, unless the change is ours, or comes from opening, undo or redo of the
+        document."""
         if self._settling or "Given" not in obj.PropertiesList or obj.Document.Restoring or obj.Document.Transacting:
             return
         if name in self._own(obj):
@@ -138,7 +142,8 @@ class WithSettings(DocumentObject):
     def effective(self, obj):
         """{name: value} of all settings."""
         given, there = set(obj.Given), set(obj.PropertiesList)
-        return {s.name: s.read(obj) if s.property in given else self.default(obj, s) for s in self.settings(obj) if s.property in there}
+        return {s.name: s.read(obj) if s.property in given else self.default(obj, s)
+                for s in self.settings(obj) if s.property in there}
 
     def problems(self, obj):
         """{name: what is wrong} of the values given."""

@@ -26,7 +26,8 @@ def source_of_text(text):
 
 
 def property_name(name):
-    """The property for a parameter: its name, but FreeCAD's expressions take `r`, `h` or `min` for units, and so they get a line below."""
+    """Name of the property for a parameter: the parameter's own name. FreeCAD's expressions take `r`, `h` or `min` for
+    units; such names get a line below."""
     try:
         FreeCAD.Units.parseQuantity(f"1 {name}")
     except Exception:  # not a unit; 0.20 raises OSError
@@ -35,7 +36,8 @@ def property_name(name):
 
 
 class FrepSolid(Solid):
-    """Its text, and a property for each line `name = number` of it: that number is then the property's, which expressions may drive."""
+    """A solid of .frep text. Each line `name = number` of the text is a property, too: its value counts instead of the
+    number, and expressions may drive it."""
 
     NAME = "FrepSolid"
 
@@ -50,8 +52,9 @@ class FrepSolid(Solid):
 
     @staticmethod
     def follow_text(obj):
-        """Gives the object the parameters of its text. A number that the text says anew is taken over; where the text says what it said, the
-        property keeps its value. A text with mistakes is not followed: it may lack parameters only until it is in order."""
+        """Gives the object the parameters of its text. A number that has changed in the text is taken over; otherwise
+        the property keeps its value. A text with mistakes is not followed, since it may lack parameters only until it
+        is corrected."""
         if obj.FollowedText == obj.Expression:
             return
         try:

@@ -41,7 +41,8 @@ class MachineProgram(DocumentObject):
         return machine_file(obj)
 
     def onDocumentRestored(self, obj):
-        """Documents of earlier versions hold files, which FreeCAD loses when such an object is copied or deleted and that is undone."""
+        """Documents of earlier versions hold files. FreeCAD loses these when such an object is copied or deleted and
+        that is undone."""
         super().onDocumentRestored(obj)
         for before, name in (("MachineFile", "PackedProgram"), ("SetupSheet", "PackedSheet"), ("Moves", "PackedMoves")):
             if before in obj.PropertiesList:
@@ -70,12 +71,14 @@ def take(obj, plan):
     """Gives the object a cam_job.Plan."""
     moves = io.BytesIO()
     np.save(moves, cam_job.all_moves(plan))
-    obj.PackedProgram, obj.PackedSheet, obj.PackedMoves = packed(plan.program), packed(plan.sheet), packed(moves.getvalue())
+    obj.PackedProgram, obj.PackedSheet, obj.PackedMoves = (
+        packed(plan.program), packed(plan.sheet), packed(moves.getvalue()))
     counts = [len(moves) for moves in plan.moves]
     obj.Sections = json.dumps([{**section, "moves": count} for section, count in zip(plan.sections, counts)])
     obj.Seconds = plan.seconds
     obj.CutLength, obj.RapidLength = (sum(report[name] for report in plan.reports) for name in ("cut", "rapid"))
-    obj.Reports = [f"{r['name']}: {r['cut'] / 1000:.2f} m cut, {r['rapid'] / 1000:.2f} m of rapids, {clock(r['seconds'])}" for r in plan.reports]
+    obj.Reports = [f"{r['name']}: {r['cut'] / 1000:.2f} m cut, {r['rapid'] / 1000:.2f} m of rapids, "
+                   f"{clock(r['seconds'])}" for r in plan.reports]
     obj.Notes = plan.notes
     obj.Zero = FreeCAD.Vector(*plan.zero)
     obj.Job, obj.Extension = plan.text, plan.extension
@@ -108,8 +111,8 @@ def _held(obj, name):
 
 
 def sections_of(obj):
-    """[(section, moves)]: what each operation's moves are made with, and an (n, 8) array of them: x, y, z (mm, as the program counts), feed
-    (mm/min, 0 for rapids), bulge, the tool's axis."""
+    """Moves of each operation as [(section, moves)]: the section they are made with, and an (n, 8) array of x, y, z
+    (mm, in the program's coordinates), feed (mm/min, 0 for rapids), bulge and the tool's axis."""
     if not obj.PackedMoves:
         return []
     told, moves = json.loads(obj.Sections), np.load(io.BytesIO(unpacked(obj.PackedMoves)))

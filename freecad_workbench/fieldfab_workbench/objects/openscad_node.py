@@ -57,8 +57,10 @@ class OpenScadNode(OpenScadSolid):
         if "file" in values:
             values["file"] = outside.path_of(obj, "File")
         files = [values["file"]] if "file" in values else []
-        words = ", ".join(f"{name} = {openscad.literal(value)}" if name else openscad.literal(value) for name, value in values.items())
-        return openscad.node(f"{KINDS[key].name}({words})", obj.Label, [self._child(obj, source) for source in getattr(obj, "Sources", [])], files)
+        words = ", ".join(f"{name} = {openscad.literal(value)}" if name else openscad.literal(value)
+                          for name, value in values.items())
+        return openscad.node(f"{KINDS[key].name}({words})", obj.Label,
+                             [self._child(obj, source) for source in getattr(obj, "Sources", [])], files)
 
     def files(self, obj):
         return [outside.path_of(obj, "File")]

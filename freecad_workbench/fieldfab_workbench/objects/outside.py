@@ -1,5 +1,5 @@
-"""Files and folders that stay outside of the document: it remembers where they are, and where they are from its own folder, so that both can move together.
-A property NAME has its companion NAMEBeside, hidden."""
+"""Files and folders that stay outside of the document. The document remembers their path and their path relative to its
+own folder, so that both can move together. A property NAME has a hidden companion NAMEBeside."""
 
 import os
 

@@ -13,9 +13,9 @@ SEWING = 1e-4  # mm
 
 
 class PartShape(DocumentObject):
-    """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, where the Source is. Making one takes about a
-    millisecond a triangle, and more than in proportion beyond some thousands; so triangles are first reduced to MostTriangles, and then
-    those that lie in a plane become one face. Curved surfaces stay facets."""
+    """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, in the Source's place. Making
+    one takes about a millisecond a triangle, and more than in proportion beyond some thousands. So the triangles are
+    first reduced to MostTriangles; then those that lie in a plane become one face. Curved surfaces stay facets."""
 
     NAME = "PartShape"
 
@@ -57,8 +57,9 @@ def shape_of(mesh, most_triangles, merge_faces, label):
     if mesh.CountFacets > most_triangles:
         mesh.decimate(mesh.BoundBox.DiagonalLength / 1000, 1 - most_triangles / mesh.CountFacets)
         if mesh.CountFacets > 1.5 * most_triangles:
-            raise ValueError(tr("{label}: {count} triangles remain where MostTriangles allows {most}; allow more, or make the solid coarser").format(
-                label=label, count=mesh.CountFacets, most=most_triangles))
+            raise ValueError(tr("{label}: {count} triangles remain where MostTriangles allows {most}; "
+                                "allow more, or make the solid coarser").format(
+                                    label=label, count=mesh.CountFacets, most=most_triangles))
     pieces, cavities = [], []
     for piece in mesh.getSeparateComponents():
         shape = Part.Shape()
@@ -66,8 +67,9 @@ def shape_of(mesh, most_triangles, merge_faces, label):
         (pieces if _signed_volume(piece) > 0 else cavities).extend(Part.Solid(shell) for shell in shape.Shells)
     made = _hollowed(pieces, cavities)
     if made is None or not made.isValid():
-        raise ValueError(tr("{label}: the {count} triangles bound no valid Part solid; allow more triangles, or make the solid coarser").format(
-            label=label, count=mesh.CountFacets))
+        raise ValueError(tr("{label}: the {count} triangles bound no valid Part solid; "
+                            "allow more triangles, or make the solid coarser").format(
+                                label=label, count=mesh.CountFacets))
     if merge_faces:
         merged = made.removeSplitter()
         made = merged if merged.isValid() and merged.Solids else made

@@ -1,4 +1,5 @@
-"""One operation of a machine program as a path of FreeCAD's own Path workbench, so that its posts, simulator and dress-ups take it."""
+"""One operation of a machine program as a path of FreeCAD's own Path workbench, for its post processors, simulator and
+dress-ups."""
 
 import re
 
@@ -15,8 +16,8 @@ HEIGHTS = (described("StartDepth", "z at which cutting begins"), described("Fina
 
 
 class PathOfProgram(DocumentObject):
-    """Follows the program. Straight cuts from above are told in the document's coordinates, as FreeCAD's jobs do; those of tilting tools are the
-    words of the machine's own file, since only they tell how the machine turns."""
+    """A path that follows the program. Three-axis cuts are in the document's coordinates, as in FreeCAD's jobs. Cuts of
+    tilting tools are the words of the machine's own file, since only they say how the machine turns."""
 
     NAME = "PathOfProgram"
 
@@ -40,14 +41,16 @@ class PathOfProgram(DocumentObject):
         else:
             sections = sections_of(obj.Program)
             if obj.Section >= len(sections):
-                raise ValueError(tr("{label}: the program has no operation {section} any more").format(label=obj.Label, section=obj.Section + 1))
+                raise ValueError(tr("{label}: the program has no operation {section} any more").format(
+                    label=obj.Label, section=obj.Section + 1))
             section, moves = sections[obj.Section]
             if section["tilted"]:
                 raise ValueError(tr("{label}: its tool is tilted now: make its path again").format(label=obj.Label))
             text = gcode_of(moves, obj.Program.Zero)
             heights = moves[:, 2] + obj.Program.Zero.z
             cuts = heights[moves[:, 3] > 0]
-            obj.StartDepth, obj.FinalDepth, obj.SafeHeight, obj.ClearanceHeight = cuts.max(), cuts.min(), heights.max(), heights.max()
+            obj.StartDepth, obj.FinalDepth, obj.SafeHeight, obj.ClearanceHeight = (
+                cuts.max(), cuts.min(), heights.max(), heights.max())
             obj.CoolantMode = section["coolant"].capitalize() or "None"
         obj.Path = Path.Path(text)
 
@@ -58,7 +61,8 @@ def gcode_of(moves, zero=(0, 0, 0)):
     begin = np.vstack([to[:1], to[:-1]])
     with np.errstate(divide="ignore", invalid="ignore"):
         across = np.stack([begin[:, 1] - to[:, 1], to[:, 0] - begin[:, 0]], axis=1)
-        arm = (to - begin)[:, :2] / 2 + ((1 - bulge**2) / (4 * bulge))[:, None] * across  # from the arc's start to its centre
+        # From the arc's start to its centre.
+        arm = (to - begin)[:, :2] / 2 + ((1 - bulge**2) / (4 * bulge))[:, None] * across
     lines = []
     if len(moves):
         lines.append(f"G0 Z{to[0, 2]:.5f}")  # first up, where it is safe
@@ -76,8 +80,8 @@ _WORDS = re.compile(r"^(?:G0?[0123]\b|(?=[XYZABCF][-.\d]))", re.MULTILINE)
 
 
 def words_of_file(text):
-    """The moves of a machine's G-code for Path.Path: without its header, tool changes and comments; feeds in mm/s. Raises ValueError for files
-    that are no G-code in millimetres."""
+    """Moves of a machine's G-code for Path.Path: without header, tool changes and comments; feeds in mm/s. Raises
+    ValueError for files that are not G-code in millimetres."""
     if not re.search(r"^G0?[01]\b", text, re.MULTILINE) or re.search(r"\bG20\b", text):
         raise ValueError(tr("FreeCAD's Path takes G-code in millimetres: choose such a machine"))
     lines, mode = [], "G0"

@@ -1,4 +1,5 @@
-"""Where machine programs come from: files, and objects of the document that have one. Of FreeCAD's own Path Jobs also tools, stock and part."""
+"""Sources of machine programs: files, and objects of the document that have one. FreeCAD's own Path Jobs give tools,
+stock and part, too."""
 
 import os
 import re
@@ -24,7 +25,8 @@ def is_planned(obj):
 
 def offers_program(obj):
     """Whether program_of() may find one: a machine program, a Path operation, a Path Job."""
-    return bool(getattr(obj, "ProgramFile", "")) or is_planned(obj) or is_job(obj) or (hasattr(obj, "Path") and hasattr(obj.Path, "toGCode"))
+    return (bool(getattr(obj, "ProgramFile", "")) or is_planned(obj) or is_job(obj)
+            or (hasattr(obj, "Path") and hasattr(obj.Path, "toGCode")))
 
 
 def program_from_file(path):
@@ -33,7 +35,8 @@ def program_from_file(path):
         with open(path, "rb") as file:
             return Program(file.read(), os.path.basename(path), path)
     except OSError as error:
-        raise ValueError(tr("the program {path} cannot be read: {error}").format(path=path, error=error.strerror)) from None
+        raise ValueError(
+            tr("the program {path} cannot be read: {error}").format(path=path, error=error.strerror)) from None
 
 
 def program_of(obj):
@@ -84,7 +87,8 @@ def controller_of(operation):
 
 
 def tools_of(obj):
-    """The tools of a Path Job or operation as tables of a set-up: [{"number": 1, "shape": "flat", "diameter": 6, ...}], mm and degrees."""
+    """Tools of a Path Job or operation as tables of a set-up, in mm and degrees: [{"number": 1, "shape": "flat",
+    "diameter": 6, ...}]."""
     controllers = obj.Tools.Group if is_job(obj) else [controller_of(obj)]
     return [_tool(c) for c in controllers if c is not None and getattr(c, "Tool", None) is not None]
 
@@ -139,8 +143,9 @@ def highest_cut(program):
 
 
 def extent(program):
-    """The corners ((x, y, z), (x, y, z)) that a G-code program's X, Y and Z words span, mm; None where there are not all three. A first
-    guess at its stock: words of G91, of offsets and of subroutines count as places, too."""
+    """Corners ((x, y, z), (x, y, z)), mm, of the box that a G-code program's X, Y and Z words span; None where one of
+    the three is missing. It is a first guess at the stock: words of G91, of offsets and of subroutines count as places,
+    too."""
     text, unit = _words(program)
     spans = []
     for letter in "XYZ":

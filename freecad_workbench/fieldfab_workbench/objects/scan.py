@@ -14,8 +14,8 @@ MISSING, CHANGED, AS_READ, UNREAD = marked(("missing", "changed since it was rea
 
 
 class Scan(Solid):
-    """What is denser than a threshold in a CT volume. The file stays outside of the document, which remembers where it is (beside the
-    document, where it is there) and what it was like when it was read."""
+    """Solid of what is denser than a threshold in a CT volume. The file stays outside of the document, which remembers
+    its path (relative to the document where it lies beside it) and its state when it was read."""
 
     NAME = "Scan"
 
@@ -45,7 +45,8 @@ class Scan(Solid):
             setattr(obj, name, list(choices))
 
     def onChanged(self, obj, name):
-        if name == "File" and not obj.Document.Restoring and not obj.Document.Transacting and "FileState" in obj.PropertiesList:
+        if (name == "File" and not obj.Document.Restoring and not obj.Document.Transacting
+                and "FileState" in obj.PropertiesList):
             forget(obj, "File")
             self.look(obj)
 
@@ -61,14 +62,17 @@ class Scan(Solid):
         if len(obj.Samples) not in (0, 3):
             raise ValueError(tr("{label}: Samples are three numbers, or none").format(label=obj.Label))
         raw = obj.getEnumerationsOfProperty("SampleType").index(obj.SampleType)
-        return ScanFile(path, tuple(obj.Samples) or None, SAMPLE_TYPES[raw] if raw else "", tuple(obj.Spacing) if obj.Spacing.Length else None, obj.Series)
+        return ScanFile(path, tuple(obj.Samples) or None, SAMPLE_TYPES[raw] if raw else "",
+                        tuple(obj.Spacing) if obj.Spacing.Length else None, obj.Series)
 
     def cut(self, obj):
         """The scans.Cut. Raises ValueError."""
         crop = tuple(obj.Crop)
         if crop and (len(crop) != 6 or min(crop) < 0 or any(a >= b for a, b in zip(crop, crop[3:]))):
-            raise ValueError(tr("{label}: Crop is the first sample along x, y and z, then the last, or nothing").format(label=obj.Label))
-        return Cut(None if obj.AutoThreshold else obj.Threshold, obj.Below, crop or None, "" if obj.Denoise == "none" else obj.Denoise,
+            raise ValueError(tr("{label}: Crop is the first sample along x, y and z, then the last, or nothing").format(
+                label=obj.Label))
+        return Cut(None if obj.AutoThreshold else obj.Threshold, obj.Below, crop or None,
+                   "" if obj.Denoise == "none" else obj.Denoise,
                    obj.KeepLargest, obj.SmallestIsland.Value, obj.SmallestHole.Value)
 
     def source(self, obj):
@@ -76,7 +80,8 @@ class Scan(Solid):
         try:
             return (AsdfSource if file.path.lower().endswith(".asdf") else ScanSource)(file, cut)
         except ValueError as error:
-            raise ValueError(tr("{label}: {error}; double-click it to find the file").format(label=obj.Label, error=error)) from None
+            raise ValueError(
+                tr("{label}: {error}; double-click it to find the file").format(label=obj.Label, error=error)) from None
 
     def execute(self, obj):
         self.look(obj)

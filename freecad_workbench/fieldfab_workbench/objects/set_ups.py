@@ -4,8 +4,10 @@ import json
 
 from ..words import tr
 
-TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length", "shank", "holder_diameter", "holder_length", "profile")
-DEFAULT_TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 20, "length": 40, "shank": 6, "holder_diameter": 30, "holder_length": 30}
+TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length",
+             "shank", "holder_diameter", "holder_length", "profile")
+DEFAULT_TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 20, "length": 40, "shank": 6,
+                "holder_diameter": 30, "holder_length": 30}
 
 
 def tool_to_line(tool):
@@ -23,16 +25,18 @@ def tool_from_line(line):
         raise ValueError(tr("a tool has the form {example}, not {line!r}").format(example=tool_to_line({"number": 1, "shape": "flat", "diameter": 6}), line=line))
     unknown = [key for key in tool if key not in TOOL_KEYS]
     if unknown:
-        raise ValueError(tr("a tool has no {unknown!r}; it has {known}").format(unknown=unknown[0], known=", ".join(TOOL_KEYS)))
+        raise ValueError(
+            tr("a tool has no {unknown!r}; it has {known}").format(unknown=unknown[0], known=", ".join(TOOL_KEYS)))
     return tool
 
 
 def text(tools, lower, upper, machine="", tolerances=None, more=""):
-    """The text of a set-up. `tools`: tables; `lower`, `upper`: the stock's corners, mm; `machine`: an id, or nothing for three axes;
-    `tolerances`: gouge, excess and touch, mm; `more`: further lines for its top, and tables of their own."""
+    """Text of a set-up. `tools`: tables; `lower`, `upper`: corners of the stock, mm; `machine`: an id, or nothing for
+    three axes; `tolerances`: gouge, excess and touch, mm; `more`: further lines for the top, and further tables."""
     top = [f"machine = {_value(machine)}"] if machine else []
     stock = {"lower": [float(v) for v in lower], "upper": [float(v) for v in upper]}
-    tables = [_table("[stock]", stock), _table("[target]", tolerances or {}), *(_table("[[tool]]", tool) for tool in tools)]
+    tables = [_table("[stock]", stock), _table("[target]", tolerances or {}),
+              *(_table("[[tool]]", tool) for tool in tools)]
     return "\n".join([*top, more.rstrip(), "", *tables])
 
 

@@ -20,23 +20,26 @@ THREE_AXES = marked("three axes")
 OF_THE_MACHINE = marked("the machine's")
 DIALECTS = (OF_THE_MACHINE, "linuxcnc", "fanuc", "grbl", "mach3")
 # Worst first.
-KINDS = marked(("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped", "gouge", "excess"))
+KINDS = marked(("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped",
+                "gouge", "excess"))
 CONTACTS = KINDS[:4]
 KEPT_RUNS = 2  # a run holds its stock at up to 64 moments
 
 
 class Run:
-    """A simulation that was carried out and remembers it; it can be played back. `simulation`: fieldfab.stock.Simulation; `report`: its
-    report; `lines`: the program's text."""
+    """A finished simulation that can be played back. `simulation`: fieldfab.stock.Simulation; `report`: its report;
+    `lines`: the program's text."""
 
     def __init__(self, task, progress):
         self.folder = tempfile.TemporaryDirectory(prefix="fieldfab_")
         setup, program = (self._file(*given) for given in (task.setup, task.program))
         target, stock, part = (source and source.field(progress) for source in (task.target, task.stock, task.part))
-        self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, part=part, cell=task.cell or None, remember=True,
+        self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, part=part,
+                                                         cell=task.cell or None, remember=True,
                                                          progress=progress, dialect=task.dialect or None)
         self.report = self.simulation.report
-        self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))  # here, where nobody waits
+        # Written here, where nobody waits for it.
+        self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
 
     def _file(self, text, name, path):
@@ -49,13 +52,15 @@ class Run:
 
 
 class Task:
-    """Everything that a simulation depends on, taken from the document: from here on any thread may work. `program` and `setup` are
-    (bytes, name, path or None); `target`, `stock` and `part` (what a job of ours was planned for) Sources or None; `cell` mm, 0 for automatic; `dialect`: of its G-code, "" for
-    the set-up's."""
+    """All inputs of a simulation, taken from the document, so that any thread may work with them. `program` and
+    `setup`: (bytes, name, path or None). `target`, `stock` and `part` (the one a job of ours was planned for): Sources
+    or None. `cell`: mm, 0 for automatic. `dialect`: that of its G-code, "" for the set-up's."""
 
     def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None, dialect=""):
-        self.program, self.setup, self.target, self.stock, self.cell, self.part, self.dialect = program, setup, target, stock, cell, part, dialect
-        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock, part)), cell, *([dialect] if dialect else []))
+        self.program, self.setup, self.target, self.stock, self.cell, self.part, self.dialect = (
+            program, setup, target, stock, cell, part, dialect)
+        told = ("simulation", program[0], program[1], setup[0], _models_of(setup),
+                *(s and s.digest for s in (target, stock, part)), cell, *([dialect] if dialect else []))
         self.digest = hashlib.sha1(repr(told).encode()).hexdigest()
 
     def run(self, progress=None):
@@ -84,7 +89,8 @@ def _models_of(setup):
 def bounds_of(obj):
     """The box of an object's mesh or shape in the document."""
     box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).BoundBox
-    return box.transformed((obj.getGlobalPlacement() * obj.Placement.inverse()).toMatrix()) if hasattr(obj, "getGlobalPlacement") else box
+    return (box.transformed((obj.getGlobalPlacement() * obj.Placement.inverse()).toMatrix())
+            if hasattr(obj, "getGlobalPlacement") else box)
 
 
 def event_order(event):
@@ -97,7 +103,8 @@ def verdict(events, say=str):
     if not events:
         return say(marked("good"))
     worst = events[0]
-    return say(marked("{count} events, the worst: {kind} at line {line}")).format(count=len(events), kind=say(worst["kind"]), line=worst["line"])
+    return say(marked("{count} events, the worst: {kind} at line {line}")).format(
+        count=len(events), kind=say(worst["kind"]), line=worst["line"])
 
 
 def planned_of(simulation):
@@ -107,8 +114,8 @@ def planned_of(simulation):
 
 
 class Simulation(Solid):
-    """What a program leaves of its stock. Its coordinates are the part's, which are the document's. The stock's mesh, the figures and the
-    events are saved with the document."""
+    """The stock that a program leaves. Its coordinates are the part's, which are the document's. The stock's mesh, the
+    figures and the events are saved with the document."""
 
     NAME = "Simulation"
 
@@ -159,9 +166,11 @@ class Simulation(Solid):
         if not hasattr(obj, "Stock") or not hasattr(obj, "SetupFile") or not hasattr(obj, "Program"):
             return  # an object that is being made
         there = set(obj.PropertiesList)  # while a document is opened they come one by one
-        for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch", "MoreOfSetup"):
+        for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch",
+                     "MoreOfSetup"):
             corner = name in ("StockLower", "StockUpper")
-            counts = not (corner and obj.Stock is not None) and (name == "Stock" or not (obj.SetupFile or planned_of(obj)))
+            counts = (not (corner and obj.Stock is not None)
+                      and (name == "Stock" or not (obj.SetupFile or planned_of(obj))))
             if name in there:
                 obj.setEditorMode(name, 0 if counts else 2)
 
@@ -175,14 +184,17 @@ class Simulation(Solid):
         """The Task that the properties describe. Raises ValueError with a line for the user."""
         if obj.Program is None and not obj.ProgramFile:
             raise ValueError(tr("{label}: choose a program").format(label=obj.Label))
-        program = programs.program_of(obj.Program) if obj.Program is not None else programs.program_from_file(obj.ProgramFile)
+        program = (programs.program_of(obj.Program) if obj.Program is not None
+                   else programs.program_from_file(obj.ProgramFile))
         for link in (obj.Target, obj.Stock):
             if link is not None and not link.isValid():
                 raise ValueError(tr("{label}: {other} could not be computed").format(label=obj.Label, other=link.Label))
         target, stock = (link and source_of(link) for link in (obj.Target, obj.Stock))
         planned = planned_of(obj)
-        part = source_of(planned.Setup.Part) if planned and planned.Setup and planned.Setup.Part and not obj.SetupFile else None
-        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part, "" if obj.Dialect == OF_THE_MACHINE else obj.Dialect)
+        part = (source_of(planned.Setup.Part) if planned and planned.Setup and planned.Setup.Part
+                and not obj.SetupFile else None)
+        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part,
+                    "" if obj.Dialect == OF_THE_MACHINE else obj.Dialect)
 
     def setup(self, obj):
         """The set-up as (bytes, name, path or None)."""
@@ -199,10 +211,13 @@ class Simulation(Solid):
         lower, upper = obj.StockLower, obj.StockUpper
         if obj.Stock is not None:
             box = bounds_of(obj.Stock)
-            room = FreeCAD.Vector(1, 1, 1) * max(0.01, box.DiagonalLength / 1000)  # so that no face of it lies in the box's own
-            lower, upper = FreeCAD.Vector(box.XMin, box.YMin, box.ZMin) - room, FreeCAD.Vector(box.XMax, box.YMax, box.ZMax) + room
+            # The room keeps its faces off those of the box.
+            room = FreeCAD.Vector(1, 1, 1) * max(0.01, box.DiagonalLength / 1000)
+            lower, upper = (FreeCAD.Vector(box.XMin, box.YMin, box.ZMin) - room,
+                            FreeCAD.Vector(box.XMax, box.YMax, box.ZMax) + room)
         if min(upper - lower) <= 0:
-            raise ValueError(tr("{label}: the stock has no size: give its corners, or a solid as Stock").format(label=obj.Label))
+            raise ValueError(
+                tr("{label}: the stock has no size: give its corners, or a solid as Stock").format(label=obj.Label))
         tools = [set_ups.tool_from_line(line) for line in obj.Tools if line.strip()]
         tolerances = {"gouge": obj.Gouge.Value, "excess": obj.Excess.Value, "touch": obj.Touch.Value}
         machine = "" if obj.Machine == THREE_AXES else obj.Machine
@@ -215,17 +230,18 @@ class Simulation(Solid):
 
     def waits(self, obj):
         """Whether it is carried out anew only once it is shown: while it is hidden nobody looks at it."""
-        return bool(obj.MadeFrom) and not self.edited and not obj.Visibility and all(is_solid(user) for user in obj.InList)
+        return (bool(obj.MadeFrom) and not self.edited and not obj.Visibility
+                and all(is_solid(user) for user in obj.InList))
 
     def has_its_mesh(self, obj):
         return obj.MadeFrom == self.task(obj).digest
 
     def kept_run(self, obj):
-        """The Run of what the object shows, where it was carried out in this session; else None. Raises as task() does."""
+        """The Run that the object shows, if it was carried out in this session; else None. Raises as task() does."""
         return _runs.get(obj.MadeFrom) if obj.MadeFrom == self.task(obj).digest else None
 
     def execute(self, obj):
-        """Carries the program out. What goes wrong is raised: FreeCAD then marks the object, which keeps the result that it had."""
+        """Carries the program out. Raises errors: FreeCAD then marks the object, which keeps its last result."""
         if self.waits(obj):
             return
         fieldfab = kernel.load()
@@ -249,7 +265,9 @@ class Simulation(Solid):
         obj.Verdict = verdict(events)
         obj.Events = [json.dumps(event) for event in events]
         obj.Notes = [f"line {note['line']}: {note['message']}" for note in report["notes"]]
-        obj.Removed, obj.Seconds, obj.RapidSeconds, obj.AirShare = report["removed"], report["seconds"], report["rapid_seconds"], round(100 * report["air_share"])
-        obj.Contacts, obj.Gouges, obj.OverTravels = sum(k in CONTACTS for k in kinds), kinds.count("gouge"), kinds.count("over-travel")
+        obj.Removed, obj.Seconds, obj.RapidSeconds, obj.AirShare = (
+            report["removed"], report["seconds"], report["rapid_seconds"], round(100 * report["air_share"]))
+        obj.Contacts, obj.Gouges, obj.OverTravels = (
+            sum(k in CONTACTS for k in kinds), kinds.count("gouge"), kinds.count("over-travel"))
         deviation = report.get("deviation", {})
         obj.DeepestGouge, obj.HighestExcess = deviation.get("deepest_gouge", 0), deviation.get("highest_excess", 0)

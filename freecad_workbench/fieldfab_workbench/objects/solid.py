@@ -12,8 +12,9 @@ from .document_object import DocumentObject
 
 
 class Solid(DocumentObject):
-    """Proxy of a Mesh::FeaturePython object. A solid says where it comes from (`source`); the mesh, its resolution and its figures are here.
-    Lengths are mm. The mesh is saved with the document; it is made anew only when what it depends on has changed."""
+    """Proxy of a Mesh::FeaturePython object. Subclasses say where the solid comes from (`source`); this class has the
+    mesh, its resolution and its figures. Lengths are mm. The mesh is saved with the document, and made again only when
+    its inputs have changed."""
 
     NAME = "Solid"  # of new objects, and of the icon
 
@@ -26,7 +27,8 @@ class Solid(DocumentObject):
         raise NotImplementedError
 
     def csg(self, obj):
-        """The solid in its own coordinates as OpenSCAD's text, an openscad.Text; None where OpenSCAD has no word for it. Raises ValueError."""
+        """The solid in its own coordinates as OpenSCAD's text, an openscad.Text; None where OpenSCAD cannot express it.
+        Raises ValueError."""
         return None
 
     def icon_name(self, obj):
@@ -63,8 +65,8 @@ class Solid(DocumentObject):
         return {name: value for name, value in settings.items() if value is not None}
 
     def execute(self, obj):
-        """Makes the mesh, unless it waits until the solid is shown. What goes wrong is raised: FreeCAD then marks the object, which keeps the mesh
-        it had."""
+        """Makes the mesh, unless it can wait until the solid is shown. Raises errors: FreeCAD then marks the object,
+        which keeps its last mesh."""
         if self.waits(obj):
             return
         try:
@@ -72,11 +74,12 @@ class Solid(DocumentObject):
         except work.Cancelled:
             raise ValueError(tr("{label}: cancelled; it is unchanged").format(label=obj.Label)) from None
 
-    _ready = (None, None)  # what MadeFrom will be, and a function that gives the mesh that was made ahead, or raises what went wrong
+    # What MadeFrom will be, and a function that returns the mesh that was made ahead, or raises its error.
+    _ready = (None, None)
 
     def ahead(self, obj):
-        """A `function(progress)` that makes the mesh for the next recompute, on any thread; None where there is nothing to make, or the recompute
-        has to tell what is wrong."""
+        """Returns a `function(progress)` that makes the mesh for the next recompute, on any thread. None where nothing
+        is to be made, or where the recompute has to report an error."""
         try:
             source, settings = self.source(obj), self.mesh_settings(obj)
         except ValueError:
@@ -122,7 +125,8 @@ class Solid(DocumentObject):
 
     @staticmethod
     def put_mesh(obj, mesh, made=None):
-        """Gives the object a fieldfab.Mesh of its own coordinates, `made` FreeCAD's where there is one already; it stays where it is."""
+        """Gives the object a fieldfab.Mesh in its own coordinates. `made`: the same mesh in FreeCAD's form, if there is
+        one. The object's place stays."""
         placement = obj.Placement
         obj.Mesh = meshes.to_freecad(mesh) if made is None else made
         obj.Placement = placement
@@ -139,8 +143,8 @@ def is_solid(obj):
 
 
 def source_of(obj, placed=True):
-    """The Source of any object that bounds a solid: ours, a mesh, a Part shape or body. Placed: where it is in the document; else in
-    its own coordinates. Raises ValueError for others."""
+    """Source of any object that bounds a solid: ours, a mesh, a Part shape or body. `placed`: in the document's
+    coordinates, else in its own. Raises ValueError for other objects."""
     source = obj.Proxy.source(obj) if is_solid(obj) else source_of_geometry(obj)
     if not placed:
         return source
@@ -148,7 +152,8 @@ def source_of(obj, placed=True):
 
 
 def csg_of(obj):
-    """A solid as OpenSCAD's text, where it is in the document; None where OpenSCAD has no word for it. Raises ValueError."""
+    """A solid as OpenSCAD's text, in the document's coordinates; None where OpenSCAD cannot express it. Raises
+    ValueError."""
     text = obj.Proxy.csg(obj) if is_solid(obj) else None
     placement = obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement
     return text if text is None or placement.isIdentity() else text.placed(matrix_of(placement), obj.Label)

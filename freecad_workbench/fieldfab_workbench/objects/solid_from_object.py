@@ -16,7 +16,8 @@ class SolidFromObject(Solid):
 
     def source(self, obj):
         if obj.Source is None:
-            raise ValueError(tr("{label}: choose a mesh, a Part object or a body as its Source").format(label=obj.Label))
+            raise ValueError(
+                tr("{label}: choose a mesh, a Part object or a body as its Source").format(label=obj.Label))
         if obj.Deflection.Value and hasattr(obj.Source, "Shape"):
             return source_of_geometry(obj.Source, obj.Deflection.Value).moved(obj.Source.getGlobalPlacement())
         return source_of(obj.Source)

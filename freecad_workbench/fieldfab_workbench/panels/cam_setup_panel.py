@@ -1,4 +1,5 @@
-"""The task panel of a CAM set-up: a stack of panels, one a stage, from the part to the machine (Keeter, Fig. 6-2), and the plan."""
+"""The task panel of a CAM set-up: a stack of panels, one for each stage from the part to the machine (Keeter, Fig.
+6-2), and the plan."""
 
 from .. import kernel, units, work, workflow
 from ..objects import cam_job, cam_operation, cam_setup, machine_program
@@ -71,7 +72,8 @@ class SetupPanel(EditPanel):
     _write_quantity = PropertyPanel._write_quantity
 
     def changed(self, *_):
-        """Of the makers of rows: here the rows are written by _written, and nothing is planned before it is asked for."""
+        """Called by the makers of rows. It does nothing here: _written writes the rows, and nothing is planned before
+        the user asks."""
 
     def _tools(self):
         box = Box(tr("Tools"), opened=not self.obj.Tools)
@@ -98,7 +100,8 @@ class SetupPanel(EditPanel):
         menu.setToolTipsVisible(True)
         self.add_button.setMenu(menu)
         row.addWidget(self.add_button)
-        for words, tip, action in ((tr("Remove"), tr("The chosen operation"), self.remove_operation), ("\u2191", tr("Earlier"), lambda: self.move(-1)),
+        for words, tip, action in ((tr("Remove"), tr("The chosen operation"), self.remove_operation),
+                                   ("\u2191", tr("Earlier"), lambda: self.move(-1)),
                                    ("\u2193", tr("Later"), lambda: self.move(1))):
             button = QtWidgets.QPushButton(words)
             button.setToolTip(tip)
@@ -145,8 +148,10 @@ class SetupPanel(EditPanel):
         self.machine_place.addWidget(self.machine_rows)
         offer(self.material, self.obj.getEnumerationsOfProperty("Material"), self.obj.Material)
         self.material.setEnabled(self.material.count() > 1)
-        known = [tr("travel {travel}").format(travel=units.told_all(told["travel"], digits=6))] if any(told["travel"]) else []
-        known += [tr("up to {limit}").format(limit=units.told(told[name], tr(unit), 6)) for name, unit in (("max_feed", "mm/min"), ("max_spindle", "rpm")) if told[name]]
+        known = ([tr("travel {travel}").format(travel=units.told_all(told["travel"], digits=6))]
+                 if any(told["travel"]) else [])
+        known += [tr("up to {limit}").format(limit=units.told(told[name], tr(unit), 6))
+                  for name, unit in (("max_feed", "mm/min"), ("max_spindle", "rpm")) if told[name]]
         known += [tr("turns about {axes}").format(axes=f" {tr('and')} ".join(told["axes"]))] if told["axes"] else []
         self.limits.setText("; ".join([told["description"], *known]))
 
@@ -249,7 +254,8 @@ class SetupPanel(EditPanel):
                 self.list.item(place).setText(operation.Label)
         self.part_box.hint.setText(self.obj.Part.Label if self.obj.Part else tr("none yet"))
         count = len(self.obj.Tools)
-        self.tools_box.hint.setText(tr("none yet") if not count else self.obj.Tools[0].Label if count == 1 else tr("{count} tools").format(count=count))
+        self.tools_box.hint.setText(tr("none yet") if not count else self.obj.Tools[0].Label if count == 1
+                                    else tr("{count} tools").format(count=count))
         self.operations_box.hint.setText(f"{len(self.obj.Operations)}" if self.obj.Operations else tr("none yet"))
         self.machine_box.hint.setText(self.obj.Machine)
         try:
@@ -331,7 +337,8 @@ class SetupPanel(EditPanel):
             current = False
         about = tr("About {time}").format(time=machine_program.clock(program.Seconds))
         lines = [f"<b>{about}</b>" + ("" if current else f" <span style='color:gray'>{tr('(changed since)')}</span>"),
-                 *map(_escaped, program.Reports), *(f"<span style='color:#8a5a00'>{_escaped(note)}</span>" for note in program.Notes)]
+                 *map(_escaped, program.Reports),
+                 *(f"<span style='color:#8a5a00'>{_escaped(note)}</span>" for note in program.Notes)]
         self._report("<br>".join(lines))
 
     # What FreeCAD asks of a task panel.

@@ -86,7 +86,8 @@ class CheckPanel:
             self.work.ask(check, self._checked)
             self.coloured = result
             off = result[-1]
-            self.figures.setText(tr("Mesh to solid: {mean} on average, {most} at most.").format(mean=units.told(np.abs(off).mean(), digits=3), most=units.told(np.abs(off).max(), digits=3)))
+            self.figures.setText(tr("Mesh to solid: {mean} on average, {most} at most.").format(
+                mean=units.told(np.abs(off).mean(), digits=3), most=units.told(np.abs(off).max(), digits=3)))
             self.colour.setEnabled(True)
             self._show_colours()
 
@@ -103,7 +104,8 @@ class CheckPanel:
         self.verdict.setStyleSheet(f"color: {COLOURS[good]}")
         self.table.setRowCount(len(report.rows))
         for i, row in enumerate(report.rows):
-            figures = tr("{measured} of {bound}").format(measured=f"{units.shown(row.measured, row.unit):.4g}", bound=units.told(row.bound, row.unit))
+            figures = tr("{measured} of {bound}").format(measured=f"{units.shown(row.measured, row.unit):.4g}",
+                                                         bound=units.told(row.bound, row.unit))
             texts = ("✓" if row.passed else "✗", f"{row.name}\n{figures}")
             for column, text in enumerate(texts):
                 item = QtWidgets.QTableWidgetItem(text.strip())

@@ -4,7 +4,7 @@ from ..shim import QtCore, QtWidgets
 
 
 class Box(QtWidgets.QFrame):
-    """A header with a title and, in grey, what is worth knowing while it is closed; below it `body`, a vertical layout."""
+    """A header with a title and, in grey, a hint for while it is closed. Below it is `body`, a vertical layout."""
 
     def __init__(self, title, hint="", opened=True, tip=""):
         super().__init__()

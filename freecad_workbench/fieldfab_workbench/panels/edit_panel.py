@@ -51,7 +51,8 @@ class EditPanel:
 
     def dock(self):
         """The dock that shows the panel; None while there is none."""
-        return next((dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget) if dock.isVisible() and dock.isAncestorOf(self.form)), None)
+        return next((dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget)
+                     if dock.isVisible() and dock.isAncestorOf(self.form)), None)
 
     def take_over(self):
         raise NotImplementedError
@@ -76,8 +77,9 @@ class EditPanel:
 
     # Making a solid's mesh beside the window.
     def after_making(self, then):
-        """Takes the values over, makes what the recompute will need, and returns what `then()` does. Where that takes longer than a moment it returns
-        False: the window goes on, the panel shows progress, and `then` follows once the mesh is there."""
+        """Takes the values over, makes what the recompute will need, and returns what `then()` does. If that takes
+        longer than a moment it returns False: the window stays responsive, the panel shows progress, and `then` follows
+        once the mesh is there."""
         if self.making is not None:
             return False
         try:
@@ -111,7 +113,8 @@ class EditPanel:
     def _set_making(self, on):
         if on:
             kept = (self.bar_of_making, self.message)
-            self._inputs = [each for each in self.form.children() if isinstance(each, QtWidgets.QWidget) and each.isEnabled() and each not in kept]
+            self._inputs = [each for each in self.form.children()
+                            if isinstance(each, QtWidgets.QWidget) and each.isEnabled() and each not in kept]
         for widget in self._inputs:
             widget.setEnabled(not on)
         self.bar_of_making.setVisible(on)

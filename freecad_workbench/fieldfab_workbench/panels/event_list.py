@@ -34,7 +34,8 @@ def lines_of(event):
 
 
 # What each column is sorted by; the worst is first.
-KEYS = (event_order, lambda event: (event.get("first_line", event["line"]), event["line"]), lambda event: -abs(event["amount"]))
+KEYS = (event_order, lambda event: (event.get("first_line", event["line"]), event["line"]),
+        lambda event: -abs(event["amount"]))
 
 
 def sign(kind):
@@ -58,8 +59,9 @@ def sign(kind):
 
 
 class EventList(QtWidgets.QTreeWidget):
-    """A row for each kind of event, with all its events below it; of a kind with one event that alone. A column's head sorts by it, a second click the other
-    way round. `chosen` tells an event (a table of the report) that was clicked; a kind stands for its worst."""
+    """A row for each kind of event, with its events below it; a kind with one event shows that event alone. A click on
+    a column's head sorts by it, a second click reverses the order. `chosen` tells the event (a table of the report)
+    that was clicked; a kind stands for its worst event."""
 
     chosen = QtCore.Signal(dict)
 

@@ -1,4 +1,4 @@
-"""The editor of .frep text: colours, completion, the meaning of names, line numbers, and all mistakes in their places."""
+"""The editor of .frep text: colours, completion, meanings of names, line numbers, and all mistakes at their places."""
 
 from html import escape
 
@@ -7,7 +7,8 @@ from .. import kernel
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
 
-COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "function": "#1f5fae", "constant": "#7a3e9d", "variable": "#a0341f",
+COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "function": "#1f5fae", "constant": "#7a3e9d",
+           "variable": "#a0341f",
            "parameter": "#00695c", "option": "#00695c", "colour": "#8a5a00"}
 MISTAKE = QtGui.QColor("#c62828")
 INSERTED = QtCore.Qt.UserRole + 1  # the text that a completion inserts
@@ -44,8 +45,8 @@ class LineNumbers(QtWidgets.QWidget):
 
 
 class FrepEditor(QtWidgets.QPlainTextEdit):
-    """`checked(node_count, message)` is emitted after each check; the message is empty where the text is in order. Without a kernel it is the reason,
-    and the editor knows nothing of the text."""
+    """`checked(node_count, message)` is emitted after each check; the message is empty where the text is valid. Without
+    a kernel the message is the reason, and the editor offers no help with the text."""
 
     checked = QtCore.Signal(int, str)
 
@@ -214,7 +215,8 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         self.setViewportMargins(self._width(), 0, 0, 0)
 
     def _follow(self, rectangle, dy):
-        self.numbers.scroll(0, dy) if dy else self.numbers.update(0, rectangle.y(), self.numbers.width(), rectangle.height())
+        (self.numbers.scroll(0, dy) if dy
+         else self.numbers.update(0, rectangle.y(), self.numbers.width(), rectangle.height()))
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
@@ -222,7 +224,8 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         self.numbers.setGeometry(inside.left(), inside.top(), self._width(), inside.height())
 
     def paint_numbers(self, event):
-        painter, block, lines = QtGui.QPainter(self.numbers), self.firstVisibleBlock(), {mistake.line for mistake in self.mistakes}
+        painter, block, lines = (QtGui.QPainter(self.numbers), self.firstVisibleBlock(),
+                                 {mistake.line for mistake in self.mistakes})
         painter.fillRect(event.rect(), self.palette().alternateBase())
         painter.setFont(self.font())
         top = self.blockBoundingGeometry(block).translated(self.contentOffset()).top()
@@ -230,6 +233,8 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
             height, wrong = self.blockBoundingRect(block).height(), block.blockNumber() in lines
             if wrong:
                 painter.fillRect(0, round(top), self.numbers.width(), round(height), MISTAKE)
-            painter.setPen(QtCore.Qt.white if wrong else self.palette().color(QtGui.QPalette.Disabled, QtGui.QPalette.Text))
-            painter.drawText(0, round(top), self.numbers.width() - 6, round(height), QtCore.Qt.AlignRight, str(block.blockNumber() + 1))
+            painter.setPen(QtCore.Qt.white if wrong
+                           else self.palette().color(QtGui.QPalette.Disabled, QtGui.QPalette.Text))
+            painter.drawText(0, round(top), self.numbers.width() - 6, round(height), QtCore.Qt.AlignRight,
+                             str(block.blockNumber() + 1))
             top, block = top + height, block.next()

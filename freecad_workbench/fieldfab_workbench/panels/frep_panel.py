@@ -72,7 +72,8 @@ class FrepPanel(EditPanel):
         return box
 
     def _follow_text(self):
-        """A row for each number that the text names; a number that the text says anew is taken over, as the object will."""
+        """Adds a row for each number that the text names. A number that has changed in the text is taken over, as the
+        object will do."""
         wanted = parameters(self.text.toPlainText())
         if [(n, p.range) for n, p in wanted.items()] != [(n, p.range) for n, p in self.numbers.items()]:
             kept = {name: row.value() for name, row in self.rows.items()}
@@ -129,7 +130,8 @@ class FrepPanel(EditPanel):
         self.preview.show(source, settings)
 
     def _source(self):
-        return source_of_text(with_values(self.text.toPlainText(), {name: row.value() for name, row in self.rows.items()}))
+        return source_of_text(with_values(self.text.toPlainText(),
+                                          {name: row.value() for name, row in self.rows.items()}))
 
     def _told(self, words, good):
         if not self.text.message:

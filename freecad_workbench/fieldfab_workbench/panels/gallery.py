@@ -1,4 +1,5 @@
-"""The shape gallery: pictures of all shapes of the library and of the designs, searched by words, put into a text with their parameters."""
+"""The shape gallery: pictures of all shapes of the library and of the designs. It is searched by words; a chosen shape
+is put into a text with its parameters."""
 
 from .. import shapes
 from ..shim import QtCore, QtGui, QtWidgets
@@ -83,7 +84,8 @@ class Gallery(QtWidgets.QDialog):
             if not picture.isNull():
                 picture = picture.scaled(THUMBNAIL, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation)
                 painter = QtGui.QPainter(canvas)
-                painter.drawPixmap((THUMBNAIL.width() - picture.width()) // 2, THUMBNAIL.height() - picture.height(), picture)
+                painter.drawPixmap((THUMBNAIL.width() - picture.width()) // 2, THUMBNAIL.height() - picture.height(),
+                                   picture)
                 painter.end()
             self.icons[shape.name] = QtGui.QIcon(canvas)
         return self.icons[shape.name]
@@ -146,7 +148,8 @@ class Gallery(QtWidgets.QDialog):
         return box
 
     def values(self):
-        return {name: f"{box.value():.6g}" if isinstance(box, QtWidgets.QDoubleSpinBox) else box.text().strip() for name, box in self.boxes.items()}
+        return {name: f"{box.value():.6g}" if isinstance(box, QtWidgets.QDoubleSpinBox) else box.text().strip()
+                for name, box in self.boxes.items()}
 
     def insert(self):
         if self.chosen:

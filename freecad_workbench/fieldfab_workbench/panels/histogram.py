@@ -9,7 +9,8 @@ MARGIN = 8
 
 
 class Histogram(QtWidgets.QWidget):
-    """Counts are drawn by their logarithms: what is solid is blue, the rest grey. `dragged` tells the density under the mouse."""
+    """Counts on a logarithmic scale: blue where the volume is solid, else grey. `dragged` tells the density under the
+    mouse."""
 
     dragged = QtCore.Signal(float)
 
@@ -62,7 +63,8 @@ class Histogram(QtWidgets.QWidget):
         for i, height in enumerate(self.columns()):
             x = area.left() + i + 0.5
             painter.setPen(solid if (x >= line) != self.below else air)
-            painter.drawLine(QtCore.QPointF(x, area.bottom()), QtCore.QPointF(x, area.bottom() - height * (area.height() - 4)))
+            painter.drawLine(QtCore.QPointF(x, area.bottom()),
+                             QtCore.QPointF(x, area.bottom() - height * (area.height() - 4)))
         painter.setPen(palette.mid().color())
         painter.drawRect(area)
         if not self.enabled:

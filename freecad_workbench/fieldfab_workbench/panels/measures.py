@@ -11,8 +11,8 @@ STEP = 1.27  # mm for each mm of a step, in inches: 1 mm becomes 0.05 in
 
 
 class MeasureBox(QtWidgets.QDoubleSpinBox):
-    """A number with its unit. value(), setValue() and the limits count in `unit`, one of those above; other units may be typed (units.read).
-    `zero` stands for the least value."""
+    """A number with its unit. value(), setValue() and the limits count in `unit`, one of those above; the user may type
+    other units (units.read). `zero`: the words shown for the least value."""
 
     def __init__(self, value=0.0, unit="mm", low=0.0, high=1e6, zero="", step=1.0):
         super().__init__()
@@ -45,7 +45,8 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
 
 
 def quantity_box(obj, name):
-    """FreeCAD's own box for a property, which takes expressions; with US customary it shows thousandths and feet, too."""
+    """FreeCAD's own box for a property, which takes expressions. With US customary units it shows thousandths and feet,
+    too."""
     box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     if units.in_inches():
         box.setProperty("decimals", 4)

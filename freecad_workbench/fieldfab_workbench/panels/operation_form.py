@@ -11,7 +11,8 @@ OPENED = (workflow.JOINING,)  # besides the operation's own
 
 
 class OperationForm(QtWidgets.QWidget):
-    """What an operation does, with which tool, and a box for each stage that leads to its moves (`boxes`, `rows` by the stages' names)."""
+    """Name, type and tool of an operation, and a box for each stage that leads to its moves (`boxes` and `rows`, by the
+    stages' names)."""
 
     def __init__(self, obj, changed=lambda: None):
         super().__init__()
@@ -32,7 +33,8 @@ class OperationForm(QtWidgets.QWidget):
         self.active.setToolTip(tr(obj.getDocumentationOfProperty("Active"), PROPERTY))
         self.active.setChecked(obj.Active)
         self.active.clicked.connect(self._activate)
-        for words, widget in ((tr("Name"), self.name), (tr("Operation"), self.type), (tr("Tool"), self.tool), ("", self.active)):
+        for words, widget in ((tr("Name"), self.name), (tr("Operation"), self.type), (tr("Tool"), self.tool),
+                              ("", self.active)):
             head.addRow(words, widget)
         self.column.addLayout(head)
         self.boxes, self.rows = {}, {}

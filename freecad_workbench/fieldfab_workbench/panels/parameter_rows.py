@@ -8,7 +8,8 @@ STEPS = 1000  # of a slider
 
 
 def sensible_range(value):
-    """Where a slider goes from and to: from nothing to about twice the value, in round numbers; to both sides where it is below 0."""
+    """Range of a slider: from 0 to about twice the value, in round numbers; to both sides where the value is below
+    0."""
     size = abs(value) or 1.0
     unit = 10 ** math.floor(math.log10(size))
     end = unit * next(n for n in (2, 5, 10, 20) if n * unit >= 1.9 * size)

@@ -1,4 +1,4 @@
-"""Playing a simulation in the 3D view: stock, tool and axes at any moment, the program beside it, and what went wrong."""
+"""Playback of a simulation in the 3D view: stock, tool and axes at any moment, the program's lines, and the events."""
 
 import math
 import time
@@ -30,12 +30,13 @@ def clock(seconds):
 def _is_in_the_way(obj):
     """Whether it is a solid, a path or a machine program: the stock would be in the same place."""
     kind = getattr(getattr(obj, "Proxy", None), "NAME", "")
-    return kind == "MachineProgram" or any(hasattr(obj, name) for name in ("Mesh", "Shape", "Path")) and hasattr(obj.ViewObject, "Visibility")
+    return (kind == "MachineProgram" or any(hasattr(obj, name) for name in ("Mesh", "Shape", "Path"))
+            and hasattr(obj.ViewObject, "Visibility"))
 
 
 class Playback(QtWidgets.QWidget):
-    """The controls; `show(run, events)` begins, `end()` takes everything out of the 3D view again. `said` tells lines for the user, and whether they are
-    good news."""
+    """The controls of the playback. `show(run, events)` begins, `end()` removes everything from the 3D view. `said`
+    emits a line for the user, and whether it is good news."""
 
     said = QtCore.Signal(str, bool)
 
@@ -136,10 +137,11 @@ class Playback(QtWidgets.QWidget):
 
     # Beginning and ending.
     def show(self, run, events, parts=()):
-        """Plays an objects.simulation.Run from now on, its end first. `parts`: the objects that should come out. All else in the view that lies where the
-        stock is stays hidden meanwhile."""
+        """Plays an objects.simulation.Run from now on, its end first. `parts`: the objects that should come out. Other
+        visible objects that lie where the stock is are hidden meanwhile."""
         self.end()
-        self.parts, self._hidden = list(parts), [obj for obj in self.document.Objects if _is_in_the_way(obj) and obj.ViewObject.Visibility]
+        self.parts, self._hidden = (
+            list(parts), [obj for obj in self.document.Objects if _is_in_the_way(obj) and obj.ViewObject.Visibility])
         seen = bool(self._hidden)
         for obj in self._hidden:
             obj.ViewObject.Visibility = False
@@ -162,7 +164,8 @@ class Playback(QtWidgets.QWidget):
         self.line.blockSignals(True)
         self.line.setRange(1, max(1, len(run.lines)))
         self.line.blockSignals(False)
-        self.speed.setCurrentIndex(min(range(len(SPEEDS)), key=lambda i: abs(math.log(SPEEDS[i] * ABOUT / max(self.player.length, 1.0)))))
+        length = max(self.player.length, 1.0)
+        self.speed.setCurrentIndex(min(range(len(SPEEDS)), key=lambda i: abs(math.log(SPEEDS[i] * ABOUT / length))))
         box = simulation.stock_box
         self.size = math.dist(box[:3], box[3:])
         self._show_roles()
@@ -333,7 +336,8 @@ class Playback(QtWidgets.QWidget):
                 label.setText(f"{letter} {units.shown(value):9.{4 if units.in_inches() else 3}f}")
             else:
                 label.setText(f"{letter} {value:9.3f}\N{DEGREE SIGN}")
-        self.doing.setText((tr("tool {tool}, rapid") if self._moment["rapid"] else tr("tool {tool}")).format(tool=self._moment["tool"]))
+        self.doing.setText((tr("tool {tool}, rapid") if self._moment["rapid"] else tr("tool {tool}")).format(
+            tool=self._moment["tool"]))
 
     def _show_line(self, line):
         self.program.mark(line)
@@ -364,7 +368,8 @@ class Playback(QtWidgets.QWidget):
         for place, (tool, points, counts) in enumerate(self.player.ways()):
             colour = RAPID_COLOUR if tool is None else COLOURS[place % len(COLOURS)]
             nodes.append(lines(points, counts, colour, 1.2, 0x0F0F if tool is None else 0xFFFF))
-            entries.append((colour, tr("rapids") if tool is None else tr("cuts of tool {tool}").format(tool=tool), tool is None))
+            entries.append((colour, tr("rapids") if tool is None else tr("cuts of tool {tool}").format(tool=tool),
+                            tool is None))
         self.scene.show_paths(nodes)
         if entries:
             self.colours = ColourLegend(self.view.widget(), entries)

@@ -18,7 +18,8 @@ class Lines(QtCore.QAbstractTableModel):
         return 1
 
     def data(self, index, role=QtCore.Qt.DisplayRole):
-        return f"{index.row() + 1:>{self.digits}}  {self.lines[index.row()].expandtabs()}" if role == QtCore.Qt.DisplayRole else None
+        return (f"{index.row() + 1:>{self.digits}}  {self.lines[index.row()].expandtabs()}"
+                if role == QtCore.Qt.DisplayRole else None)
 
 
 class ProgramView(QtWidgets.QTableView):  # a list view would lay out every line

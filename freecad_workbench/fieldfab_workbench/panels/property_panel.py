@@ -13,9 +13,11 @@ from .measures import place_boxes, quantity_box
 SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups that the property editor is enough for
 HIDDEN = "Hidden"
 PURE = ("Direction", "Factors")  # vectors of plain numbers; the others are places and ways
-TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromObject": marked("Solid from object"), "PartShape": marked("Part shape"),
+TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromObject": marked("Solid from object"),
+          "PartShape": marked("Part shape"),
           "FilePart": marked("Part of a model"),
-          "PathOfProgram": marked("Path of program"), "OpenScadNode": marked("OpenSCAD shape"), "OpenScadText": marked("OpenSCAD text"),
+          "PathOfProgram": marked("Path of program"), "OpenScadNode": marked("OpenSCAD shape"),
+          "OpenScadText": marked("OpenSCAD text"),
           "CamTool": marked("Tool"), "MachineProgram": marked("Machine program")}  # these two without a set-up
 
 
@@ -29,7 +31,8 @@ class PropertyPanel(EditPanel):
         self.layout.addWidget(self.message)
         self.layout.addStretch()
         self.fill()
-        self.preview = Preview(obj, self.say, self.form) if hasattr(obj, "Mesh") and hasattr(obj.Proxy, "mesh_settings") else None
+        self.preview = (
+            Preview(obj, self.say, self.form) if hasattr(obj, "Mesh") and hasattr(obj.Proxy, "mesh_settings") else None)
 
     def changed(self, *_):
         """Takes the values over and, of a solid, shows what they make; what is missing is told."""
@@ -54,7 +57,11 @@ class PropertyPanel(EditPanel):
         while self.rows.rowCount():
             self.rows.removeRow(0)
         self.writers.clear()
-        for name in sorted(self.names(), key=lambda n: (self.obj.getTypeIdOfProperty(n) != "App::PropertyEnumeration" or n != "Operation")):
+
+        def comes_later(name):
+            return self.obj.getTypeIdOfProperty(name) != "App::PropertyEnumeration" or name != "Operation"
+
+        for name in sorted(self.names(), key=comes_later):
             widget, self.writers[name] = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
             widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
             self.rows.addRow(property_label(name), widget)
@@ -133,7 +140,8 @@ class PropertyPanel(EditPanel):
         row = QtWidgets.QWidget()
         layout = QtWidgets.QHBoxLayout(row)
         layout.setContentsMargins(0, 0, 0, 0)
-        boxes = place_boxes(getattr(self.obj, name)) if name not in PURE else [self._free_box(value) for value in getattr(self.obj, name)]
+        boxes = (place_boxes(getattr(self.obj, name)) if name not in PURE
+                 else [self._free_box(value) for value in getattr(self.obj, name)])
         for box in boxes:
             box.valueChanged.connect(self.changed)
             layout.addWidget(box)
@@ -146,7 +154,8 @@ class PropertyPanel(EditPanel):
         current = getattr(self.obj, name)
         box.setCurrentIndex(box.findData(current.Name) if current else -1)
         box.activated.connect(self.changed)
-        return box, lambda: setattr(self.obj, name, self.document.getObject(box.currentData()) if box.currentIndex() >= 0 else None)
+        return box, lambda: setattr(self.obj, name,
+                                    self.document.getObject(box.currentData()) if box.currentIndex() >= 0 else None)
 
     def _links(self, name):
         """All candidates, those chosen on top; ticked ones are taken, in the list's order, which dragging changes."""
@@ -162,7 +171,8 @@ class PropertyPanel(EditPanel):
 
         def write():
             items = [box.item(i) for i in range(box.count())]
-            wanted = [self.document.getObject(i.data(QtCore.Qt.UserRole)) for i in items if i.checkState() == QtCore.Qt.Checked]
+            wanted = [self.document.getObject(i.data(QtCore.Qt.UserRole))
+                      for i in items if i.checkState() == QtCore.Qt.Checked]
             if wanted != list(getattr(self.obj, name)):
                 setattr(self.obj, name, wanted)
 
@@ -190,4 +200,5 @@ MAKERS = {
 def candidates(obj):
     """What a solid may be made of: whatever bounds something and is not made of it."""
     return [other for other in obj.Document.Objects
-            if other != obj and obj not in other.OutListRecursive and (hasattr(other, "Mesh") or getattr(getattr(other, "Shape", None), "Solids", None))]
+            if other != obj and obj not in other.OutListRecursive
+            and (hasattr(other, "Mesh") or getattr(getattr(other, "Shape", None), "Solids", None))]

@@ -130,10 +130,14 @@ class ScanForm(EditPanel):
 
     def take_over(self):
         wanted = {
-            "File": self.path.text(), "Samples": list(self.dims() or ()), "SampleType": self.type.currentData(), "Series": self.series.text(),
-            "AutoThreshold": self.automatic.isChecked(), "Threshold": self.threshold.value(), "Below": self.below.isChecked(),
-            "Spacing": FreeCAD.Vector(*(self.spacing_asked() or (0, 0, 0))), "Crop": list(self.cut().crop or ()), "VoxelSize": self.voxel.value(),
-            "Denoise": self.denoise.currentData(), "KeepLargest": self.largest.isChecked(), "SmallestIsland": self.island.value(), "SmallestHole": self.hole.value(),
+            "File": self.path.text(), "Samples": list(self.dims() or ()), "SampleType": self.type.currentData(),
+            "Series": self.series.text(),
+            "AutoThreshold": self.automatic.isChecked(), "Threshold": self.threshold.value(),
+            "Below": self.below.isChecked(),
+            "Spacing": FreeCAD.Vector(*(self.spacing_asked() or (0, 0, 0))), "Crop": list(self.cut().crop or ()),
+            "VoxelSize": self.voxel.value(),
+            "Denoise": self.denoise.currentData(), "KeepLargest": self.largest.isChecked(),
+            "SmallestIsland": self.island.value(), "SmallestHole": self.hole.value(),
         }
         if wanted["File"] == self.obj.Proxy.path(self.obj):
             del wanted["File"]
@@ -143,12 +147,15 @@ class ScanForm(EditPanel):
 
     def file(self):
         raw = self.type.currentIndex()
-        return scans.ScanFile(self.path.text(), self.dims(), scans.SAMPLE_TYPES[raw] if raw else "", None, self.series.text())
+        return scans.ScanFile(self.path.text(), self.dims(), scans.SAMPLE_TYPES[raw] if raw else "", None,
+                              self.series.text())
 
     def cut(self):
         crop = tuple(box.value() for box in self.crop) if self.cropping.isChecked() else ()
-        return scans.Cut(None if self.automatic.isChecked() else self.threshold.value(), self.below.isChecked(), crop if any(crop) else None,
-                         self.denoise.currentData() if self.denoise.currentIndex() else "", self.largest.isChecked(), self.island.value(), self.hole.value())
+        return scans.Cut(None if self.automatic.isChecked() else self.threshold.value(), self.below.isChecked(),
+                         crop if any(crop) else None,
+                         self.denoise.currentData() if self.denoise.currentIndex() else "", self.largest.isChecked(),
+                         self.island.value(), self.hole.value())
 
     def dims(self):
         values = tuple(box.value() for box in self.samples)

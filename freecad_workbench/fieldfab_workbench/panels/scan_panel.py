@@ -1,4 +1,5 @@
-"""The task panel of a scan: its file, the threshold over the histogram, what is kept, with a coarse solid in the view meanwhile."""
+"""The task panel of a scan: its file, the threshold over the histogram, and what is kept. Meanwhile the view shows a
+coarse solid."""
 
 import math
 import os
@@ -80,7 +81,8 @@ class ScanPanel(ScanForm):
         if not file.path:
             self.told.setText(tr("Choose a volume's file, or a folder of its slices."))
         elif not os.path.exists(file.path):
-            self.say(tr("The scan {path} is missing: choose where it is now. The solid keeps the mesh it has.").format(path=file.path))
+            self.say(tr("The scan {path} is missing: choose where it is now. The solid keeps the mesh it has.").format(
+                path=file.path))
         elif file.path.lower().endswith(".asdf"):
             self.told.setText(tr("A distance field: it is used unchanged."))
         else:
@@ -92,7 +94,8 @@ class ScanPanel(ScanForm):
     def _opened(self, overview):
         self.overview, volume = overview, overview.volume
         self.told.setText(tr("{count} samples of {spacing}, {kind}").format(
-            count=" × ".join(map(str, volume.size)), spacing=units.told_all(volume.spacing, between=" × "), kind=volume.type))
+            count=" × ".join(map(str, volume.size)), spacing=units.told_all(volume.spacing, between=" × "),
+            kind=volume.type))
         self.histogram.set_densities(overview.counts, overview.edges)
         self.threshold.setSingleStep((overview.edges[-1] - overview.edges[0]) / 200)
         if not self.own_spacing.isChecked():
@@ -174,7 +177,8 @@ class ScanPanel(ScanForm):
         return super().accept()
 
     def reject(self):
-        """A scan that was never computed goes: FreeCAD's import may have ended its undo step before the panel could take it back."""
+        """Removes a scan that was never computed: FreeCAD's import may have ended its undo step before the panel could
+        take it back."""
         document, name = self.document, self.obj.Name
         document.abortTransaction()
         self.close()

@@ -1,4 +1,5 @@
-"""A form made from the settings of a workflow stage. What is not given shows its default in grey; what is wrong is said below the setting."""
+"""A form made from the settings of a workflow stage. A setting that is not given shows its default in grey; an error is
+shown below its setting."""
 
 from .. import units
 from ..shim import QtCore, QtWidgets
@@ -87,7 +88,8 @@ class Row:
 
         def typed(text):
             try:
-                value = None if not text.strip() else text if self.setting.kind == "text" else units.read(text, self.setting.unit)
+                value = (None if not text.strip() else text if self.setting.kind == "text"
+                         else units.read(text, self.setting.unit))
                 words = self.setting.problem(value) if value is not None else ""
             except ValueError as error:
                 value, words = None, str(error)
@@ -109,7 +111,8 @@ class Row:
 
     def _flag(self):
         box = QtWidgets.QCheckBox()
-        box.clicked.connect(lambda checked: self._give(None if checked == bool(self.obj.Proxy.default(self.obj, self.setting)) else checked))
+        box.clicked.connect(lambda checked: self._give(
+            None if checked == bool(self.obj.Proxy.default(self.obj, self.setting)) else checked))
         return box
 
 

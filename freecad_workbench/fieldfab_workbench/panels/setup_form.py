@@ -12,8 +12,10 @@ from .measures import MeasureBox, place_boxes
 from .property_panel import candidates
 
 TOOL_COLUMNS = tuple(zip(
-    ("number", "shape", "diameter", "corner_radius", "angle", "flute", "length", "shank", "holder_diameter", "holder_length"),
-    marked(("No.", "Shape", "Diameter", "Corner", "Angle", "Flute", "Length", "Shank", "Holder \N{DIAMETER SIGN}", "Holder length"))))
+    ("number", "shape", "diameter", "corner_radius", "angle", "flute", "length", "shank", "holder_diameter",
+     "holder_length"),
+    marked(("No.", "Shape", "Diameter", "Corner", "Angle", "Flute", "Length", "Shank", "Holder \N{DIAMETER SIGN}",
+            "Holder length"))))
 SHAPES = marked(("flat", "ball", "bull", "v", "tapered", "drill", "form"))
 UNITS = {"number": "", "angle": ""}  # of columns that are no lengths
 MARGIN = 5.0  # mm of stock around what a program reaches, where nothing else is known
@@ -55,7 +57,8 @@ class SetupForm(QtWidgets.QWidget):
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         rows = QtWidgets.QFormLayout()
-        self.of_object = self._objects(obj.Program, [o for o in obj.Document.Objects if o != obj and programs.offers_program(o)], tr("a file"))
+        self.of_object = self._objects(obj.Program, [o for o in obj.Document.Objects
+                                                     if o != obj and programs.offers_program(o)], tr("a file"))
         self.program = FileBox(obj.ProgramFile, tr("the machine's program"),
                                tr("Programs (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;All files (*)"))
         self.of_setup = self._objects(obj.SetupProgram, [o for o in obj.Document.Objects if programs.is_planned(o)], tr("none: a file, or the settings below"))
@@ -102,7 +105,8 @@ class SetupForm(QtWidgets.QWidget):
         offer(self.machine, obj.getEnumerationsOfProperty("Machine"), obj.Machine)
         self.stock = self._objects(obj.Stock, candidates(obj), tr("a box"))
         self.lower, self.upper = place_boxes(obj.StockLower), place_boxes(obj.StockUpper)
-        self.gouge, self.excess, self.touch = (MeasureBox(value.Value, zero=zero, step=0.01) for value, zero in ((obj.Gouge, ""), (obj.Excess, tr("any")), (obj.Touch, "")))
+        self.gouge, self.excess, self.touch = (MeasureBox(value.Value, zero=zero, step=0.01) for value, zero in (
+            (obj.Gouge, ""), (obj.Excess, tr("any")), (obj.Touch, "")))
         rows.addRow(tr("Machine"), self.machine)
         rows.addRow(tr("Stock"), self.stock)
         self.corners = QtWidgets.QWidget()
@@ -129,7 +133,8 @@ class SetupForm(QtWidgets.QWidget):
             self._add_tool(set_ups.tool_from_line(line))
         layout.addWidget(self.tools)
         row = QtWidgets.QHBoxLayout()
-        for words, function in ((tr("Add tool"), self._new_tool), (tr("Remove"), lambda: self.tools.removeRow(self.tools.currentRow()))):
+        for words, function in ((tr("Add tool"), self._new_tool),
+                                (tr("Remove"), lambda: self.tools.removeRow(self.tools.currentRow()))):
             button = QtWidgets.QPushButton(words)
             button.clicked.connect(function)
             row.addWidget(button)
@@ -168,7 +173,8 @@ class SetupForm(QtWidgets.QWidget):
                 try:
                     tool[key] = int(text) if key == "number" else units.read(text, UNITS.get(key, "mm"))
                 except ValueError:
-                    raise ValueError(tr("tool {row}: {words} is a number, not {text!r}").format(row=row + 1, words=tr(words), text=text)) from None
+                    raise ValueError(tr("tool {row}: {words} is a number, not {text!r}").format(
+                        row=row + 1, words=tr(words), text=text)) from None
         return tool
 
     def _follow(self):
@@ -184,7 +190,8 @@ class SetupForm(QtWidgets.QWidget):
         return self.obj.Document.getObject(self.of_object.currentData()) if self.of_object.currentData() else None
 
     def _chosen(self):
-        """Tools, stock and target of a Path Job are taken over. A file after a machine program, such as what somebody made of it, keeps its set-up."""
+        """Takes over tools, stock and target of a Path Job. A file that follows a machine program, such as an edited
+        copy of it, keeps the program's set-up."""
         source, before = self._program_object(), self.obj.Document.getObject(self._before) if self._before else None
         self._before = self.of_object.currentData()
         if source is None and programs.is_planned(before):
@@ -211,19 +218,22 @@ class SetupForm(QtWidgets.QWidget):
             self._guess_where_nothing_is()
 
     def _guess_where_nothing_is(self):
-        if not self.setup.line.text() and not self.of_setup.currentData() and all(box.value() == 0 for box in self.lower + self.upper):
+        if (not self.setup.line.text() and not self.of_setup.currentData()
+                and all(box.value() == 0 for box in self.lower + self.upper)):
             self.guess_stock()
 
     def guess_stock(self):
         try:
             name = self.of_object.currentData()
-            program = programs.program_of(self.obj.Document.getObject(name)) if name else programs.program_from_file(self.program.line.text())
+            program = (programs.program_of(self.obj.Document.getObject(name)) if name
+                       else programs.program_from_file(self.program.line.text()))
         except ValueError:
             return
         if (found := programs.extent(program)) is not None:
             (x0, y0, z0), (x1, y1, z1) = found
             highest = programs.highest_cut(program)
-            top = z1 if highest is None else max(highest, 0.0) if z0 < 0 else highest  # mostly z = 0 is the stock's upper side
+            # In most programs z = 0 is the stock's upper side.
+            top = z1 if highest is None else max(highest, 0.0) if z0 < 0 else highest
             self._set_corners((x0 - MARGIN, y0 - MARGIN, min(z0, top) - MARGIN), (x1 + MARGIN, y1 + MARGIN, top))
 
     def _set_corners(self, lower, upper):
@@ -236,9 +246,12 @@ class SetupForm(QtWidgets.QWidget):
         obj, tools = self.obj, [set_ups.tool_to_line(self._tool(row)) for row in range(self.tools.rowCount())]
         find = lambda box: obj.Document.getObject(box.currentData()) if box.currentData() else None  # noqa: E731
         values = {
-            "Program": find(self.of_object), "ProgramFile": self.program.line.text(), "Dialect": self.dialect.currentData(), "SetupFile": self.setup.line.text(), "SetupProgram": find(self.of_setup), "Target": find(self.target),
+            "Program": find(self.of_object), "ProgramFile": self.program.line.text(),
+            "Dialect": self.dialect.currentData(), "SetupFile": self.setup.line.text(),
+            "SetupProgram": find(self.of_setup), "Target": find(self.target),
             "Cell": self.cell.value(), "Machine": self.machine.currentData(), "Stock": find(self.stock), "Tools": tools,
-            "StockLower": FreeCAD.Vector(*(b.value() for b in self.lower)), "StockUpper": FreeCAD.Vector(*(b.value() for b in self.upper)),
+            "StockLower": FreeCAD.Vector(*(b.value() for b in self.lower)),
+            "StockUpper": FreeCAD.Vector(*(b.value() for b in self.upper)),
             "Gouge": self.gouge.value(), "Excess": self.excess.value(), "Touch": self.touch.value(),
         }
         for name, value in values.items():

@@ -172,13 +172,15 @@ class SimulationPanel(EditPanel):
 
     # Results.
     def ask_for_report(self):
-        path = QtWidgets.QFileDialog.getSaveFileName(self.form, tr("Report"), f"{self.obj.Label}.html", tr("HTML (*.html)"))[0]
+        path = QtWidgets.QFileDialog.getSaveFileName(self.form, tr("Report"), f"{self.obj.Label}.html",
+                                                     tr("HTML (*.html)"))[0]
         if path:
             self.write_report(path)
 
     def write_report(self, path):
         simulation = self.run.simulation
-        self._begin(lambda progress: simulation.html(path, progress=progress), lambda result: self.say(tr("written: {path}").format(path=path), True))
+        self._begin(lambda progress: simulation.html(path, progress=progress),
+                    lambda result: self.say(tr("written: {path}").format(path=path), True))
 
     def ask_for_frames(self):
         folder = QtWidgets.QFileDialog.getExistingDirectory(self.form, tr("Folder for frame_0001.png and so on"))
@@ -192,7 +194,8 @@ class SimulationPanel(EditPanel):
             with player.busy:
                 simulation.frames(folder, count=count, progress=progress)
 
-        self._begin(write, lambda result: self.say(tr("{count} frames are in {folder}").format(count=count, folder=os.path.basename(folder)), True))
+        self._begin(write, lambda result: self.say(
+            tr("{count} frames are in {folder}").format(count=count, folder=os.path.basename(folder)), True))
 
     def keep(self):
         """The stock at the moment that is shown, as a mesh."""

@@ -7,7 +7,8 @@ from ..words import PROPERTY, marked, property_label, tr
 from .choices import offer
 from .measures import MeasureBox
 
-MORE = ("CornerRadius", "Angle", "TipDiameter", "Flute", "StickOut", "Shank", "HolderDiameter", "HolderLength", "Flutes", "Feed", "Plunge", "Spindle")
+MORE = ("CornerRadius", "Angle", "TipDiameter", "Flute", "StickOut", "Shank", "HolderDiameter", "HolderLength",
+        "Flutes", "Feed", "Plunge", "Spindle")
 COLUMNS = marked(("No.", "Name", "Shape", "\u2300 {unit}"))
 
 
@@ -34,7 +35,8 @@ class ToolTable(QtWidgets.QWidget):
         column.addWidget(self.table)
         buttons = QtWidgets.QHBoxLayout()
         for words, tip, action in ((tr("Add"), tr("A new end mill"), self.add),
-                                   (tr("From file…"), tr("Tool bits (.fctb) or libraries (.fctl) of FreeCAD"), self.ask),
+                                   (tr("From file…"), tr("Tool bits (.fctb) or libraries (.fctl) of FreeCAD"),
+                                    self.ask),
                                    (tr("Remove"), tr("The chosen tool"), self.remove)):
             button = QtWidgets.QPushButton(words)
             button.setToolTip(tip)
@@ -62,7 +64,8 @@ class ToolTable(QtWidgets.QWidget):
                 if place == 2:
                     shape = QtWidgets.QComboBox()
                     offer(shape, cam_tool.SHAPES, tool.Shape)
-                    shape.activated.connect(lambda index, tool=tool, shape=shape, line=line: self._reshape(tool, shape.itemData(index), line))
+                    shape.activated.connect(lambda index, tool=tool, shape=shape, line=line: self._reshape(
+                        tool, shape.itemData(index), line))
                     self.table.setCellWidget(line, place, shape)
                 else:
                     item = QtWidgets.QTableWidgetItem(value if place == 1 else f"{value:.6g}")
@@ -121,7 +124,8 @@ class ToolTable(QtWidgets.QWidget):
         kind, value = tool.getTypeIdOfProperty(name), getattr(tool, name)
         factor = 60 if kind == "App::PropertySpeed" else 1
         unit = {"App::PropertyLength": "mm", "App::PropertySpeed": "mm/min"}.get(kind)
-        box = MeasureBox(unit=unit) if unit else QtWidgets.QSpinBox() if kind == "App::PropertyIntegerConstraint" else QtWidgets.QDoubleSpinBox()
+        box = (MeasureBox(unit=unit) if unit else QtWidgets.QSpinBox() if kind == "App::PropertyIntegerConstraint"
+               else QtWidgets.QDoubleSpinBox())
         box.setRange(1 if name == "Flutes" else 0, 1000000)
         box.setValue(getattr(value, "Value", value) * factor)
         box.setToolTip(tr(tool.getDocumentationOfProperty(name), PROPERTY))
@@ -151,7 +155,8 @@ class ToolTable(QtWidgets.QWidget):
             self.changed()
 
     def ask(self):
-        paths, kind = QtWidgets.QFileDialog.getOpenFileNames(self, tr("Tools"), "", tr("FreeCAD's tool bits and libraries (*.fctb *.fctl)"))
+        paths, kind = QtWidgets.QFileDialog.getOpenFileNames(
+            self, tr("Tools"), "", tr("FreeCAD's tool bits and libraries (*.fctb *.fctl)"))
         self.take_files(paths)
 
     def take_files(self, paths):

@@ -6,7 +6,8 @@ INPUTS = (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox, QtWidgets.QAbstractSl
 
 
 class WheelGuard(QtCore.QObject):
-    """An input below a widget, now or later, takes the wheel only while it has the focus; else what is around it scrolls."""
+    """Inputs below a widget, now or later, take the wheel only while they have the focus; otherwise the wheel scrolls
+    what is around them."""
 
     def __init__(self, widget):
         super().__init__(widget)

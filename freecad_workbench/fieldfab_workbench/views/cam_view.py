@@ -17,7 +17,8 @@ class SetupView(DocumentView):
         style.lineWidth, style.linePattern = 1, 0x00FF
         self.corners = coin.SoCoordinate3()
         edges = coin.SoIndexedLineSet()
-        edges.coordIndex.setValues(0, 24, [0, 1, 3, 2, 0, -1, 4, 5, 7, 6, 4, -1, 0, 4, -1, 1, 5, -1, 2, 6, -1, 3, 7, -1])
+        edges.coordIndex.setValues(0, 24,
+                                   [0, 1, 3, 2, 0, -1, 4, 5, 7, 6, 4, -1, 0, 4, -1, 1, 5, -1, 2, 6, -1, 3, 7, -1])
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE
         for node in (pick, colour, style, self.corners, edges):
@@ -31,10 +32,12 @@ class SetupView(DocumentView):
         except (ValueError, AttributeError):  # nothing is chosen yet, or its properties are still to come
             self.corners.point.deleteValues(0)
             return
-        self.corners.point.setValues(0, 8, [(x, y, z) for x in (lower.x, upper.x) for y in (lower.y, upper.y) for z in (lower.z, upper.z)])
+        self.corners.point.setValues(0, 8, [(x, y, z) for x in (lower.x, upper.x) for y in (lower.y, upper.y)
+                                            for z in (lower.z, upper.z)])
 
     def updateData(self, obj, name):
-        if hasattr(self, "corners") and name in ("Part", "StockFrom", "Margin", "Top", "Thickness", "StockLower", "StockUpper", "StockObject", "Machine"):
+        if (hasattr(self, "corners") and name in ("Part", "StockFrom", "Margin", "Top", "Thickness", "StockLower",
+                                                  "StockUpper", "StockObject", "Machine")):
             self.show_stock()
 
     def claimChildren(self):

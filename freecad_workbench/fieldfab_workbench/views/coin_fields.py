@@ -6,7 +6,8 @@ import numpy as np
 
 
 def fill(field, array):
-    """Gives a multiple-value field the rows of an array, which must have the field's own kind of numbers (float32, int32, uint32)."""
+    """Gives a multiple-value field the rows of an array, which must have the field's own type of numbers (float32,
+    int32, uint32)."""
     array = np.ascontiguousarray(array)
     field.setNum(len(array))
     if len(array):

@@ -1,5 +1,5 @@
-"""Meshes and boxes as Coin nodes: what panels show in the 3D view beside the objects. Arrays go into Coin whole, as the bytes of a
-binary Inventor file."""
+"""Meshes and boxes as Coin nodes, shown by panels in the 3D view beside the objects. Arrays go into Coin whole, as the
+bytes of a binary Inventor file."""
 
 import numpy as np
 from pivy import coin
@@ -8,15 +8,16 @@ from . import inventor
 
 
 class MeshBytes:
-    """Triangles ready for Coin: made on any thread, `node()` in the window's. Flat: edges look sharp; else all looks smooth. `colours`: one
-    a vertex, rows of red, green, blue in 0 to 1."""
+    """Triangles ready for Coin: made on any thread; `node()` is called in the window's thread. `flat`: edges look
+    sharp; else all looks smooth. `colours`: one for each vertex, rows of red, green, blue in 0 to 1."""
 
     def __init__(self, vertices, triangles, flat=False, colours=None):
         self.count, self.flat = len(triangles), flat
         normals = (_flat_normals if flat else _smooth_normals)(vertices, triangles)
         index = np.full((len(triangles), 4), -1, ">i4")
         index[:, :3] = triangles
-        self._material = None if colours is None else inventor.node_bytes("Material", "diffuseColor", len(colours), np.asarray(colours, ">f4"))
+        self._material = (None if colours is None else inventor.node_bytes(
+            "Material", "diffuseColor", len(colours), np.asarray(colours, ">f4")))
         self._rest = [inventor.node_bytes("Coordinate3", "point", len(vertices), np.asarray(vertices, ">f4")),
                       inventor.node_bytes("Normal", "vector", len(normals), np.asarray(normals, ">f4")),
                       inventor.node_bytes("IndexedFaceSet", "coordIndex", index.size, index)]

@@ -1,5 +1,5 @@
-"""Triangles as Coin nodes, whole: no loop over triangles. Pivy fills a field number by number, and keeps what it converted for good; Coin's own
-reader of binary Inventor files takes arrays as they are, and reads from memory."""
+"""Triangles as Coin nodes, whole: no loop over triangles. Pivy fills a field number by number, and never frees what it
+converted. Coin's own reader of binary Inventor files takes arrays as they are, and reads from memory."""
 
 import struct
 
@@ -11,19 +11,21 @@ CREASE = 0.86  # cosine of about 30 degrees: a normal farther from its facet's b
 
 
 def corner_normals(vertices, triangles, slopes):
-    """Vertices, normals and triangles to draw. `slopes`: the solid's gradients at the vertices. Where a triangle and the gradient at its corner do not
-    agree, an edge passes: that corner becomes a vertex of its own, with the triangle's normal."""
+    """Vertices, normals and triangles to draw. `slopes`: the solid's gradients at the vertices. Where a triangle and
+    the gradient at its corner disagree there is an edge: that corner becomes a vertex of its own, with the triangle's
+    normal."""
     facets, normals = unit(_crosses(vertices, triangles)), unit(slopes)
     apart = np.einsum("tcx,tx->tc", normals[triangles], facets) < CREASE
     triangle, corner = np.nonzero(apart)
     drawn = triangles.astype(np.int32)
     drawn[triangle, corner] = len(vertices) + np.arange(len(triangle), dtype=np.int32)
-    return np.concatenate([vertices, vertices[triangles[triangle, corner]]]), np.concatenate([normals, facets[triangle]]), drawn
+    return (np.concatenate([vertices, vertices[triangles[triangle, corner]]]),
+            np.concatenate([normals, facets[triangle]]), drawn)
 
 
 def creased(vertices, triangles):
-    """Vertices, normals and triangles to draw of flat faces, as FreeCAD draws an object's mesh: each corner has the mean normal of those triangles at its
-    vertex that are about as its own."""
+    """Vertices, normals and triangles to draw of flat faces, as FreeCAD draws an object's mesh: each corner has the
+    mean normal of those triangles at its vertex whose normals are close to its own triangle's."""
     crosses, corners = _crosses(vertices, triangles), triangles.ravel()
     facets, order, normals = unit(crosses), np.argsort(corners, kind="stable"), np.empty((len(corners), 3), np.float32)
     _, first, count = np.unique(corners[order], return_index=True, return_counts=True)
@@ -49,14 +51,16 @@ def written(vertices, normals, triangles):
     """The three arrays as the bytes of a binary Inventor file; on any thread."""
     corners = np.full((len(triangles), 4), -1, ">i4")
     corners[:, :3] = triangles
-    nodes = (node_bytes("Normal", "vector", len(normals), normals.astype(">f4")), node_bytes("Coordinate3", "point", len(vertices), vertices.astype(">f4")),
+    nodes = (node_bytes("Normal", "vector", len(normals), normals.astype(">f4")),
+             node_bytes("Coordinate3", "point", len(vertices), vertices.astype(">f4")),
              node_bytes("IndexedFaceSet", "coordIndex", corners.size, corners))
     return b"".join((HEAD, _name("Separator"), struct.pack(">iii", _GROUP, 0, len(nodes)), *nodes))
 
 
 def node_bytes(kind, field, count, values):
     """A node with one long field; `values` hold big-endian numbers."""
-    return b"".join((_name(kind), struct.pack(">ii", 0, 1), _name(field), struct.pack(">i", count), values.tobytes(), struct.pack(">i", 0)))
+    return b"".join((_name(kind), struct.pack(">ii", 0, 1), _name(field), struct.pack(">i", count), values.tobytes(),
+                     struct.pack(">i", 0)))
 
 
 def _name(word):

@@ -46,7 +46,8 @@ class Legend(QtWidgets.QWidget):
 
 
 class ReachLegend(Legend):
-    """A bar from `reach` at the top to -`reach` at its foot, mm, over the active 3D view. It shows the user's unit, as the title has it for {unit}."""
+    """A bar over the active 3D view, from `reach` at its top to -`reach` at its foot, mm. It shows the user's unit,
+    which replaces {unit} in the title."""
 
     def __init__(self, title, reach):
         super().__init__(view_widget(), 150, 210)
@@ -65,11 +66,13 @@ class ReachLegend(Legend):
             y = bar.top() + (1 - share) / 2 * bar.height()
             word = {1: tr("outside"), -1: tr("inside")}.get(share, "")
             painter.drawLine(bar.right() + 2, int(y), bar.right() + 6, int(y))
-            painter.drawText(bar.right() + 10, int(y) - LINE // 2, 110, LINE, QtCore.Qt.AlignVCenter, f"{units.shown(share * self.reach):+.3g} {word}" if share else "0")
+            painter.drawText(bar.right() + 10, int(y) - LINE // 2, 110, LINE, QtCore.Qt.AlignVCenter,
+                             f"{units.shown(share * self.reach):+.3g} {word}" if share else "0")
 
 
 class ColourLegend(Legend):
-    """A line for each colour, in the left upper corner. `entries`: (colour of three numbers from 0 to 1, words, whether it is dashed)."""
+    """A line for each colour, in the upper left corner. `entries`: (colour of three numbers from 0 to 1, words, whether
+    the line is dashed)."""
 
     def __init__(self, over, entries):
         self.entries = entries
@@ -83,7 +86,8 @@ class ColourLegend(Legend):
     def paint(self, painter):
         for row, (colour, words, dashed) in enumerate(self.entries):
             y = 17 + 20 * row
-            painter.setPen(QtGui.QPen(QtGui.QColor.fromRgbF(*colour), 2.5, QtCore.Qt.DashLine if dashed else QtCore.Qt.SolidLine))
+            painter.setPen(QtGui.QPen(QtGui.QColor.fromRgbF(*colour), 2.5,
+                                      QtCore.Qt.DashLine if dashed else QtCore.Qt.SolidLine))
             painter.drawLine(12, y, 40, y)
             painter.setPen(QtGui.QColor("#202428"))
             painter.drawText(50, y - LINE // 2 - 1, self.width(), LINE + 2, QtCore.Qt.AlignVCenter, words)
@@ -102,7 +106,8 @@ class ScaleLegend(Legend):
     def paint(self, painter):
         painter.drawImage(STRIP, self.strip)
         full, title = units.shown(self.scale["full"]), tr("deviation, {unit}").format(unit=units.shown_unit("mm"))
-        for y, words in ((8, (tr("gouge"), title, tr("left over"))), (STRIP.bottom() + 6, (f"\N{MINUS SIGN}{full:.4g}", "0", f"+{full:.4g}"))):
+        for y, words in ((8, (tr("gouge"), title, tr("left over"))),
+                         (STRIP.bottom() + 6, (f"\N{MINUS SIGN}{full:.4g}", "0", f"+{full:.4g}"))):
             for side, text in zip((QtCore.Qt.AlignLeft, QtCore.Qt.AlignHCenter, QtCore.Qt.AlignRight), words):
                 painter.drawText(QtCore.QRect(STRIP.left(), y, STRIP.width(), LINE + 2), side, text)
 

@@ -50,7 +50,8 @@ class PartView:
     def ray(self, x, y):
         """Origin and direction of what lies below a pixel of the screen, counted from the lower left."""
         width, height = self.view.getSize()
-        near, far = (np.array(p.getValue()) for p in self._volume().projectPointToLine(coin.SbVec2f(x / width, y / height)))
+        near, far = (np.array(p.getValue())
+                     for p in self._volume().projectPointToLine(coin.SbVec2f(x / width, y / height)))
         return near, (far - near) / np.linalg.norm(far - near)
 
     def pixel_of(self, place):
@@ -67,7 +68,8 @@ class PartView:
         return volume
 
     def tell_clicks(self, function):
-        """From now on `function(origin, direction)` hears of clicks with the left button that move nothing; None: no more."""
+        """Calls `function(origin, direction)` from now on at each click of the left button that drags nothing; None
+        ends this."""
         kind = coin.SoMouseButtonEvent.getClassTypeId()
         if self._clicked is not None:
             self.view.removeEventCallbackPivy(kind, self._callback)

@@ -12,7 +12,8 @@ MOVING = 2  # blocks of so many cells are one while it moves
 
 
 class Frame:
-    """The stock at a moment. `pieces`: {index: (arrays, colours)} of what has changed since the frame that was taken before."""
+    """The stock at a moment. `pieces`: {index: (arrays, colours)} of what has changed since the last frame that was
+    taken."""
 
     def __init__(self, seconds, pieces, whole=None):
         self.seconds, self.pieces, self.whole = seconds, pieces, whole
@@ -29,7 +30,8 @@ class Player:
         self.lines_of_cuts = self.simulation.lines_of_cuts
         self.tools_of_cuts = self.simulation.tools_of_cuts
         self._colour_of_cut = self._colours()
-        self._changed, self.busy = threading.Condition(), threading.Lock()  # `busy`: held while the playback goes to a moment
+        # `busy`: held while the playback goes to a moment
+        self._changed, self.busy = threading.Condition(), threading.Lock()
         self._wanted = self._frame = self._whole = None
         self.frames = 0
         self.task = Task(self._work)
@@ -81,7 +83,8 @@ class Player:
             # What was drawn coarsely while it moved is drawn finely once it stands.
             changed |= {i for i, drawn in coarse_now.items() if drawn > coarse}
             indices = sorted(changed)
-            pieces = {i: (arrays, self._colour_of_cut[arrays[3]]) for i, arrays in zip(indices, surface.to_draw(indices, coarse))}
+            pieces = {i: (arrays, self._colour_of_cut[arrays[3]])
+                      for i, arrays in zip(indices, surface.to_draw(indices, coarse))}
             coarse_now.update((i, coarse) for i in indices)
             whole = self._whole_surface() if seconds >= self.length and coarse == 1 else None
             with self._changed:
@@ -116,9 +119,11 @@ class Player:
             rapid, tools = np.asarray(self.playback.rapid), np.asarray(self.playback.tools)
             self._ways = []
             for tool in (*sorted(set(tools[~rapid].tolist())), None):
-                wanted = [way[i] for i in np.flatnonzero(rapid if tool is None else ~rapid & (tools == tool)) if len(way[i]) > 1]
+                wanted = [way[i] for i in np.flatnonzero(rapid if tool is None else ~rapid & (tools == tool))
+                          if len(way[i]) > 1]
                 if wanted:
-                    self._ways.append((tool, np.concatenate(wanted).astype("f4"), np.array([len(each) for each in wanted], "i4")))
+                    self._ways.append((tool, np.concatenate(wanted).astype("f4"),
+                                       np.array([len(each) for each in wanted], "i4")))
         return self._ways
 
     _ways = None

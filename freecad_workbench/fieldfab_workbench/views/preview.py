@@ -1,4 +1,5 @@
-"""What a solid will look like, shown in its place while a panel is open: computed beside the window, coarse at once, then finer."""
+"""Preview of a solid, shown in its place while a panel is open: computed beside the window, coarse at once, then
+finer."""
 
 import queue
 import re
@@ -32,8 +33,9 @@ def _said(stage):
 
 
 class Preview:
-    """`show(source, settings)` whenever something has changed; the newest wins. `close()` gives the object its own look back. `say(text, good)`, where
-    given, is told what is going on: the error of a solid that cannot be made (the last good one stays), or how fine the picture is."""
+    """`show(source, settings)` is called whenever something has changed; the newest wins. `close()` gives the object
+    its own look back. `say(text, good)`, if given, gets the state: the error of a solid that cannot be made (the last
+    good one stays), or how fine the picture is."""
 
     most = 50_000  # triangles that are shown; all previews learn from how long drawing takes
 
@@ -44,11 +46,13 @@ class Preview:
         self.cells, self.guess = 20, self._bounds_of_object()
         self._faces_first = False  # whether the solid's own faces were made within the first picture's time
         self._seen = obj.MadeFrom if obj.isValid() else None
-        self.stage, self.latency = "", None  # of tests: how far the picture is; seconds from the last change to its first picture
+        # For tests: how far the picture is; seconds from the last change to its first picture.
+        self.stage, self.latency = "", None
         self._wanted, self._changed, self._began = None, 0.0, 0.0
         self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
         self._paused = None  # what goes on after a pause
-        self._coarse, self._ready = False, None  # whether the first mesh of a change is on its way; since when all is as fine as can be shown
+        # Whether the first mesh of a change is on its way; since when all is as fine as can be shown.
+        self._coarse, self._ready = False, None
         self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
         self._drawing, self._undrawn, self._triangles = None, False, 0
         self._unseen = self.guess is None  # a new solid, which is nowhere in the picture yet
@@ -62,8 +66,8 @@ class Preview:
             form.destroyed.connect(self.close)
 
     def show(self, source, settings):
-        """Starts at once, unless this is what is seen already; a first mesh on its way is let through, so that a slider that moves always shows
-        something."""
+        """Starts at once, unless this is shown already. A first mesh on its way is finished, so that a slider that
+        moves always shows something."""
         key = key_of(source, settings)
         if key == self._seen:
             return
@@ -72,11 +76,13 @@ class Preview:
         self._look()
 
     def pause(self, on):
-        """While it is on the picture stays as it is, and nothing is computed before the next change. One that was complete stays."""
+        """While paused the picture stays as it is, and nothing is computed before the next change. A complete picture
+        stays."""
         if on:
             complete = self.stage in ("final", "detail") and self._wanted is None
             self._stop()
-            self._paused = None if complete else self._wanted or self._refinement and (self._refinement.source, self._refinement.settings)
+            self._paused = (None if complete else self._wanted
+                            or self._refinement and (self._refinement.source, self._refinement.settings))
             self._wanted = self._ready = None
         else:
             self._wanted, self._paused = self._wanted or self._paused, None
@@ -212,7 +218,8 @@ class Preview:
         while self._waiting and time.monotonic() < end:
             stage, picture = self._waiting[0]
             if self._assembly is None:
-                self._assembly, self._piece = self._solid if stage == "detail" else coin.SoSeparator(), coin.SoSeparator()
+                self._assembly, self._piece = (
+                    self._solid if stage == "detail" else coin.SoSeparator(), coin.SoSeparator())
             piece, parts = next(iter(picture.items()), (None, None))
             if parts:
                 self._piece.addChild(inventor.read(parts.pop()))
@@ -252,7 +259,8 @@ class Preview:
         self._say_stage()
 
     def _say_stage(self):
-        words = _said("final" if self._refinement.exact else self.stage).format(cell=units.told(self._refinement.voxel, digits=3))
+        words = _said("final" if self._refinement.exact else self.stage).format(
+            cell=units.told(self._refinement.voxel, digits=3))
         self.say(*with_doubt(words, self._doubt))
 
     def _watch_camera(self):
@@ -261,7 +269,8 @@ class Preview:
             self._eye, self._eye_moved = eye, time.monotonic()
 
     def _find_eye(self):
-        """Where the camera is, in the object's own coordinates; for a camera without perspective, where one with would see as much. None: no view."""
+        """Place of the camera in the object's own coordinates. For a camera without perspective, the place from which
+        one with perspective would see as much. None: no view."""
         try:
             view = FreeCADGui.getDocument(self.obj.Document.Name).ActiveView
             camera, height = view.getCameraNode(), view.getSize()[1]
@@ -269,14 +278,16 @@ class Preview:
             return None
         at, towards = FreeCAD.Vector(*camera.position.getValue().getValue()), view.getViewDirection()
         if hasattr(camera, "height"):
-            at = at + towards * camera.focalDistance.getValue() - towards * (PIXELS * camera.height.getValue() / height / ANGLE)
+            at = at + towards * camera.focalDistance.getValue() - towards * (
+                PIXELS * camera.height.getValue() / height / ANGLE)
         return tuple(self.obj.getGlobalPlacement().inverse().multVec(at))
 
     def _needs_detail(self):
         still = time.monotonic() - self._eye_moved > STILL
         ready = self._ready and not self._waiting and self._eye is not None
         ready = ready and (not self._task.is_alive() or time.monotonic() - self._ready > PATIENCE)
-        return ready and still and self._refined_for != self._eye and (self._refinement.in_blocks or self._refinement.is_coarse_for(self._eye))
+        return (ready and still and self._refined_for != self._eye
+                and (self._refinement.in_blocks or self._refinement.is_coarse_for(self._eye)))
 
     # The thread's side.
     @staticmethod

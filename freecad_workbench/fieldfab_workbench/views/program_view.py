@@ -6,7 +6,8 @@ from .. import ways
 from ..objects import machine_program
 from .document_view import DocumentView
 
-COLOURS = ((0.10, 0.42, 0.85), (0.10, 0.62, 0.35), (0.80, 0.40, 0.05), (0.55, 0.25, 0.70), (0.05, 0.60, 0.65), (0.75, 0.20, 0.45))
+COLOURS = ((0.10, 0.42, 0.85), (0.10, 0.62, 0.35), (0.80, 0.40, 0.05), (0.55, 0.25, 0.70), (0.05, 0.60, 0.65),
+           (0.75, 0.20, 0.45))
 RAPID_COLOUR = (0.85, 0.15, 0.12)
 
 
@@ -22,7 +23,8 @@ class ProgramView(DocumentView):
 
     def updateData(self, obj, name):
         back_in_time = obj.Document.Restoring or obj.Document.Transacting  # its properties come in any order then
-        if hasattr(self, "lines") and (name == "MadeFrom" or back_in_time and name in ("PackedMoves", "Sections", "Zero")):
+        if (hasattr(self, "lines")
+                and (name == "MadeFrom" or back_in_time and name in ("PackedMoves", "Sections", "Zero"))):
             self.draw()
 
     def onChanged(self, view, name):

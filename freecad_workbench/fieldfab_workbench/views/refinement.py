@@ -1,4 +1,5 @@
-"""Meshes of a solid for looking at: coarse within a moment, then finer, then finest where the eye is. Nothing here needs a window."""
+"""Meshes of a solid for viewing: coarse within a moment, then finer, then finest where the eye is. Nothing here needs a
+window."""
 
 import numpy as np
 
@@ -10,24 +11,28 @@ from . import inventor
 ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
 CELLS = 32  # along each side of a block, which is refined by itself
 BLOCKS = 4  # most blocks along an axis
-NEAR = 4  # times as many triangles as are shown of a whole solid may be made where the eye is: most of them are then out of the picture
+# How many times the triangles of a whole solid may be made where the eye is: most of them are then out of the picture.
+NEAR = 4
 PIECE = 10_000  # triangles of a piece
 MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are looked for again
 
 
 class Refinement:
-    """One solid on its way from coarse to fine; one thread at a time may use it. Pictures are {piece: [bytes of a binary Inventor file, ...]}, none of
-    which takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
+    """Refines one solid from coarse to fine; one thread at a time may use it. Pictures are {piece: [bytes of a binary
+    Inventor file, ...]}; no piece takes long to be added to the scene. Methods raise fieldfab.Error and
+    work.Cancelled."""
 
     def __init__(self, source, settings, guess=None, cells=20, most=100_000, faces_first=False):
-        """`settings`: of source.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
-        first mesh, along its longest side. `most`: triangles that can be shown. `faces_first`: whether the solid's own faces, where it has them, are made
-        before all else."""
-        self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = source, settings, guess, cells, most, faces_first
+        """`settings`: those of source.mesh(), as the solid will be made. `guess`: bounds that the solid may have, (x0,
+        y0, z0, x1, y1, z1), mm. `cells`: those of the first mesh, along its longest side. `most`: how many triangles
+        can be shown. `faces_first`: whether the solid's own faces, where it has them, are made first."""
+        self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = (
+            source, settings, guess, cells, most, faces_first)
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
         self._cell = None, None  # a region, and the smallest cell in it
         self.extent = guess  # of the solid, as far as it is known
-        self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
+        # Whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too.
+        self.sharp = False
         self.doubt = ""  # where the solid's own mesh may lack parts, once it has been made
         self.exact = False  # whether the solid's own faces are there, and nothing finer can be had
         self.in_blocks = False  # whether the last picture was one of blocks
@@ -35,7 +40,8 @@ class Refinement:
 
     # The whole solid.
     def coarse(self, progress):
-        """The first mesh, within the guess where that holds the solid: a search for its bounds would take longer than the mesh."""
+        """The first mesh, within the guess where the guess contains the solid: a search for its bounds would take
+        longer than the mesh."""
         if self.faces_first and (mesh := self._faces(progress)) is not None:
             return self._picture(mesh, progress)
         mesh = self._in_the_guess(progress) if self.guess and "bounds" not in self.settings else None
@@ -46,7 +52,8 @@ class Refinement:
         return self._picture(mesh, progress)
 
     def finer(self, progress):
-        """Yields meshes of smaller and smaller cells, down to the solid's own or to as many triangles as can be shown; none where final() has its faces."""
+        """Yields meshes of smaller and smaller cells, down to the solid's own cells or to as many triangles as can be
+        shown; none where final() has its faces."""
         if self._faces(progress) is not None:
             return
         wanted = self._wanted()
@@ -56,7 +63,8 @@ class Refinement:
             yield self._picture(mesh, progress)
 
     def final(self, progress):
-        """Makes the solid's own mesh, which its source keeps, and yields it, or as much of its detail as can be shown."""
+        """Makes the solid's own mesh, which its source keeps. Yields the mesh, or as much of its detail as can be
+        shown."""
         mesh = self._faces(progress)
         if mesh is None:
             mesh = self.source.mesh(progress, **self.settings)
@@ -65,7 +73,8 @@ class Refinement:
         if len(mesh.triangles) <= self.most:
             self.voxel, self.triangles = self._wanted(), len(mesh.triangles)
             yield self._picture(mesh, progress)
-        elif self._fit_region(mesh) or blocks_are_shown:  # parts outside of the guess were not seen; blocks need replacing
+        # Parts outside of the guess were not seen, or blocks have to be replaced.
+        elif self._fit_region(mesh) or blocks_are_shown:
             self.voxel, self.triangles = self._longest() / self.cells, 0
             yield from self.finer(progress)
 
@@ -75,17 +84,21 @@ class Refinement:
 
     def suffices(self, mesh, eye):
         """Whether the solid's own mesh can be shown, and is fine enough for the eye."""
-        return len(mesh.triangles) <= self.most and not any(self._is_coarse(block, eye, self._wanted()) for block in self._blocks())
+        return (len(mesh.triangles) <= self.most
+                and not any(self._is_coarse(block, eye, self._wanted()) for block in self._blocks()))
 
     def divided(self, progress):
         """The solid as fine as it is shown, in blocks (i, j, k), each of which can be replaced by a finer one."""
         self.in_blocks, self.shown = True, {}
-        return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)], progress) for block in self._blocks()}
+        return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)],
+                                      progress) for block in self._blocks()}
 
     def detail(self, eye, progress):
-        """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
-        Blocks begin about as fine as the solid's own mesh: sharp edges of a solid that is thinner than its cells would take long to find."""
-        cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye, self.voxel)), key=lambda b: self._distance(b, eye))
+        """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are
+        as many triangles as can be shown. Blocks begin about as fine as the solid's own mesh: in coarser cells, sharp
+        edges of a solid that is thinner than the cells would take long to find."""
+        cell, near = (self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye, self.voxel)),
+                                             key=lambda b: self._distance(b, eye)))
         for block in list(self.shown):  # what another eye wanted may be finer than this one needs
             yield self._shown(block, eye, progress)
         pieces = 0
@@ -108,7 +121,8 @@ class Refinement:
     def _detail_of(self, block):
         if block not in self.details:
             box = self._box(block, self._wanted())
-            self.details[block] = kernel.load().DetailMesh(self.field, box, cells=CELLS, deepest=6, angle=ANGLE, most_triangles=self.most)
+            self.details[block] = kernel.load().DetailMesh(self.field, box, cells=CELLS, deepest=6, angle=ANGLE,
+                                                           most_triangles=self.most)
         return self.details[block]
 
     # Steps of these.
@@ -166,10 +180,12 @@ class Refinement:
         return mesh
 
     def _meshed(self, box, cell, progress):
-        """What is in a box. Sharp edges take long, and very long in cells larger than the solid is thick; without them all cells are kept, since
-        merged ones would cut corners then. What is thinner than the cells waits for the solid's own mesh."""
+        """Mesh of a box. Sharp edges take long, and very long in cells larger than the solid is thick. Without sharp
+        edges all cells are kept, since merged cells would cut corners. Parts thinner than the cells wait for the
+        solid's own mesh."""
         sharp = self.sharp and cell <= 1.01 * self._wanted()
-        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp, depth=0, progress=progress)
+        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp,
+                                  depth=0, progress=progress)
 
     def _fit_region(self, mesh):
         """Fits the region to a mesh, unless it is given; True where it became larger."""
@@ -178,13 +194,16 @@ class Refinement:
         before, (first, last) = self.region, extent(mesh)
         self.details, self.shown = {}, {}  # their blocks are no longer these
         self.extent, self.region = (*first, *last), np.concatenate([first - self.voxel, last + self.voxel])
-        return bool((self.region[:3] < before[:3] - self.voxel).any() or (self.region[3:] > before[3:] + self.voxel).any())
+        return bool((self.region[:3] < before[:3] - self.voxel).any()
+                    or (self.region[3:] > before[3:] + self.voxel).any())
 
     def _wanted(self):
-        """Edge of the smallest cell of the solid's own mesh, mm. The window asks often: it is worked out once a region."""
+        """Edge of the smallest cell of the solid's own mesh, mm. The window asks often: it is computed once for each
+        region."""
         region = tuple(self.region)
         if self._cell[0] != region:
-            self._cell = region, with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings, "bounds": region})["voxel"]
+            self._cell = (region, with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings,
+                                                           "bounds": region})["voxel"])
         return self._cell[1]
 
     def _longest(self):
@@ -199,7 +218,8 @@ class Refinement:
         return list(np.ndindex(*self._grid())) if self.voxel else []
 
     def _box(self, block, reach=0.0):
-        """(x0, y0, z0, x1, y1, z1) of a block; inside the solid it may reach into its neighbours, so that no gap shows."""
+        """Bounds (x0, y0, z0, x1, y1, z1) of a block. Inside the solid it may reach into its neighbours, so that no gap
+        shows."""
         grid, place = self._grid(), np.array(block)
         size = (self.region[3:] - self.region[:3]) / grid
         lower = self.region[:3] + place * size
@@ -213,7 +233,8 @@ class Refinement:
         return cell > ANGLE * max(self._distance(block, eye), cell)
 
     def _of_block(self, block, cell, make, progress):
-        """The meshes that `make` makes of a block's box as one, without what closes them where the block ends and the solid goes on."""
+        """Joins the meshes that `make` makes of a block's box, without the triangles that close them where the block
+        ends and the solid goes on."""
         box, place, grid = self._box(block, cell), np.array(block), self._grid()
         vertices, triangles = joined(make(box))
         for axis in range(3):
@@ -228,7 +249,8 @@ class Refinement:
 
     def _written(self, vertices, triangles, progress):
         """A mesh as several Inventor files."""
-        return [self._piece(*compacted(vertices, triangles[first:first + PIECE]), progress) for first in range(0, len(triangles), PIECE)]
+        return [self._piece(*compacted(vertices, triangles[first:first + PIECE]), progress)
+                for first in range(0, len(triangles), PIECE)]
 
     def _piece(self, vertices, triangles, progress):
         if not progress(0, ""):

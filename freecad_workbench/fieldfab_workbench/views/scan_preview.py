@@ -1,4 +1,5 @@
-"""What a scan's panel shows in the 3D view: a coarse surface and the box of what is kept, in place of the object's own mesh."""
+"""Picture of a scan's panel in the 3D view: a coarse surface and the box of the crop, in place of the object's own
+mesh."""
 
 from pivy import coin
 
@@ -9,7 +10,8 @@ class ScanPreview:
     """Under the object's own placement. `close()` leaves the view as it was."""
 
     def __init__(self, obj):
-        self._parent, self._switch = obj.ViewObject.RootNode, obj.ViewObject.SwitchNode  # the object itself may be gone at the end
+        # The object itself may be gone at the end.
+        self._parent, self._switch = obj.ViewObject.RootNode, obj.ViewObject.SwitchNode
         self._root, self._frame, self._surface, self._box = (coin.SoSeparator() for _ in range(4))
         for part in (self._frame, self._surface, self._box):
             self._root.addChild(part)
@@ -25,7 +27,8 @@ class ScanPreview:
         self._switch.whichChild = -1
 
     def show_box(self, volume, lower, upper):
-        """The box of what is kept of a volume, in lattice coordinates; all that is shown goes where the volume's file places it."""
+        """Sets the box of the crop of a volume, in lattice coordinates. All that is shown gets the place that the
+        volume's file says."""
         shown = (volume, *lower, *upper)
         if shown == self._shown:
             return  # each change draws the view anew

@@ -16,10 +16,12 @@ HANDLE = 0.12  # size of the handle, of the diagonal of what is seen
 
 
 class Section:
-    """Cuts what a document's active view shows, across the axis that points most to the viewer, in the middle at first; a handle moves the plane.
+    """Cuts all that a document's active view shows, across the axis that points most to the viewer. The plane is in the
+    middle at first; a handle moves it.
 
-    Where a closed surface is cut, its back faces are seen exactly where the plane is inside the solid. They are drawn apart from the front faces, without
-    light: that is the cut face, of previews and of a stock while it is cut, too. `close()` leaves the view as it was. Raises ValueError where nothing is seen."""
+    Where a closed surface is cut, its back faces are visible exactly where the plane is inside the solid. They are
+    drawn apart from the front faces, without light: that is the cut face, also of previews and of a stock while it is
+    cut. `close()` leaves the view as it was. Raises ValueError where nothing is visible."""
 
     def __init__(self, document):
         self._document, self._view = document, FreeCADGui.getDocument(document.Name).ActiveView
@@ -32,9 +34,11 @@ class Section:
         self._clip = coin.SoClipPlane()
         self._nodes, self._caps, self._solids = self._handle(axis, lower, upper), self._caps_node(), coin.SoGroup()
         self._caps.addChild(self._solids)
-        self._front = _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.COUNTERCLOCKWISE, shapeType=coin.SoShapeHints.SOLID)
+        self._front = _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.COUNTERCLOCKWISE,
+                                  shapeType=coin.SoShapeHints.SOLID)
         self._front.creaseAngle.setIgnored(True)
-        for place, node in enumerate((self._nodes, self._clip)):  # the handle is before the plane, which cuts all that follows
+        # The handle comes before the plane, which cuts all that follows.
+        for place, node in enumerate((self._nodes, self._clip)):
             self._scene.insertChild(node, place)
         self._scene.addChild(self._caps)
         self._look()
@@ -106,10 +110,12 @@ class Section:
         scale.scaleFactor = (self._size,) * 3
         self.dragger = coin.SoTranslate1Dragger()
         follow.translation.connectFrom(self.dragger.translation)
-        frame, colour, light, points, lines = coin.SoSeparator(), coin.SoBaseColor(), coin.SoLightModel(), coin.SoCoordinate3(), coin.SoLineSet()
+        frame, colour, light, points, lines = (
+            coin.SoSeparator(), coin.SoBaseColor(), coin.SoLightModel(), coin.SoCoordinate3(), coin.SoLineSet())
         light.model, colour.rgb = coin.SoLightModel.BASE_COLOR, FRAME_COLOUR
         back = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), self.normal).inverted()
-        others = [FreeCAD.Vector(*(float(i == other) for i in range(3))) * size[other] * 0.55 / self._size for other in range(3) if other != axis]
+        others = [FreeCAD.Vector(*(float(i == other) for i in range(3))) * size[other] * 0.55 / self._size
+                  for other in range(3) if other != axis]
         corners = [back.multVec(others[0] * a + others[1] * b) for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1))]
         points.point.setValues(0, 5, [tuple(corner) for corner in corners])
         for node in (follow, light, colour, points, lines):
@@ -123,7 +129,8 @@ class Section:
         """Draws back faces alone, in one colour, and no lines; nothing in it can be picked."""
         root = coin.SoSeparator()
         for node in (
-            _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.CLOCKWISE, shapeType=coin.SoShapeHints.SOLID),
+            _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.CLOCKWISE,
+                        shapeType=coin.SoShapeHints.SOLID),
             _overriding(coin.SoMaterial, diffuseColor=CAP_COLOUR),
             _overriding(coin.SoMaterialBinding, value=coin.SoMaterialBinding.OVERALL),
             _overriding(coin.SoLightModel, model=coin.SoLightModel.BASE_COLOR),

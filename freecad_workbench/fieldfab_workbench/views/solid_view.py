@@ -80,7 +80,8 @@ class SolidView(ObjectView):
     def onChanged(self, view, name):
         if name == "Visibility" and not view.Visibility:
             self.hide_places()
-        if name == "Visibility" and view.Visibility and self.made_when_shown(view.Object) and not view.Object.Document.Restoring:
+        if (name == "Visibility" and view.Visibility and self.made_when_shown(view.Object)
+                and not view.Object.Document.Restoring):
             make_mesh_later(view.Object)
 
     @staticmethod
@@ -99,7 +100,8 @@ class SolidView(ObjectView):
 
 
 def make_mesh_later(obj):
-    """Gives a solid that is shown the mesh that it had no need of while it was hidden: once the change that shows it is done."""
+    """Makes the mesh of a solid that becomes visible, if it had none while it was hidden. This waits until the change
+    of visibility is done."""
     document, name = obj.Document.Name, obj.Name
 
     def make():

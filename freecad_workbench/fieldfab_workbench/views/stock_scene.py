@@ -6,7 +6,8 @@ from pivy import coin
 from .coin_fields import fill
 from .section import STOCK
 
-TOOL_LOOKS = {"cutting": ((0.80, 0.68, 0.30), 0.0), "shank": ((0.52, 0.54, 0.57), 0.0), "holder": ((0.30, 0.32, 0.36), 0.45)}
+TOOL_LOOKS = {"cutting": ((0.80, 0.68, 0.30), 0.0), "shank": ((0.52, 0.54, 0.57), 0.0),
+              "holder": ((0.30, 0.32, 0.36), 0.45)}
 MARK_COLOUR = (0.90, 0.10, 0.35)
 
 
@@ -64,7 +65,8 @@ class StockScene:
     @staticmethod
     def _hints():
         hints = coin.SoShapeHints()
-        hints.vertexOrdering, hints.shapeType, hints.faceType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID, coin.SoShapeHints.CONVEX
+        hints.vertexOrdering, hints.shapeType, hints.faceType = (
+            coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID, coin.SoShapeHints.CONVEX)
         return hints
 
     def _tool_node(self):
@@ -74,8 +76,10 @@ class StockScene:
         edges.creaseAngle = 0.6  # round along the way round, sharp at edges
         self.tool_group.addChild(edges)
         for role, (colour, transparency) in TOOL_LOOKS.items():
-            part, material, points, faces = coin.SoSwitch(), coin.SoMaterial(), coin.SoCoordinate3(), coin.SoIndexedFaceSet()
-            material.diffuseColor, material.specularColor, material.shininess, material.transparency = colour, (0.5, 0.5, 0.5), 0.5, transparency
+            part, material, points, faces = (
+                coin.SoSwitch(), coin.SoMaterial(), coin.SoCoordinate3(), coin.SoIndexedFaceSet())
+            material.diffuseColor, material.specularColor, material.shininess, material.transparency = (
+                colour, (0.5, 0.5, 0.5), 0.5, transparency)
             group = coin.SoSeparator()
             for node in (material, points, faces):
                 group.addChild(node)
@@ -145,7 +149,8 @@ class StockScene:
         self.mark.whichChild = -1 if place is None else 0
 
     def cut_hit_by(self, origin, direction):
-        """The place and the cut where a ray, in part coordinates, first meets the stock from outside; None where it does not."""
+        """The place and the cut where a ray, in part coordinates, first meets the stock from outside; None where it
+        misses."""
         best = None
         for piece in self.pieces.values():
             vertices, _, corners, cuts = piece.arrays
@@ -156,7 +161,8 @@ class StockScene:
 
 
 def first_hit(vertices, corners, origin, direction):
-    """How far along a ray its first triangle is, and that triangle's corner next to the place; None where there is none."""
+    """Distance along a ray to its first triangle, and that triangle's corner nearest to the place; None where there is
+    none."""
     if not len(corners):
         return None
     origin, direction = np.asarray(origin, float), np.asarray(direction, float)

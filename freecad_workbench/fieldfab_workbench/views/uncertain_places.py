@@ -12,7 +12,8 @@ EDGES = [i for a in range(8) for axis in range(3) if not a >> axis & 1 for i in 
 
 
 class UncertainPlaces:
-    """Boxes under the object's own placement, seen through its mesh: most of what may be missing lies within it. `close()` takes them away."""
+    """Boxes under the object's own placement, visible through its mesh, since missing parts mostly lie inside of it.
+    `close()` removes them."""
 
     def __init__(self, obj):
         self._parent, places = obj.ViewObject.RootNode, uncertain_places(obj)

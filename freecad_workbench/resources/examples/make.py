@@ -31,7 +31,8 @@ wall = move(rotate_y(plate(height, width, thick), 90), dx = (thick - length) / 2
 bore(px, py) = move(cylinder(r = hole / 2, h = 4 * thick), px, py, thick / 2)
 side(py, pz) = move(rotate_y(cylinder(r = hole / 2, h = 4 * thick), 90), (thick - length) / 2, py, pz)
 inside = smooth_union(base, wall, corner)
-difference(inside, bore(length / 4, width / 4), bore(length / 4, -width / 4), side(width / 4, 0.75 * height), side(-width / 4, 0.75 * height))
+difference(inside, bore(length / 4, width / 4), bore(length / 4, -width / 4),
+           side(width / 4, 0.75 * height), side(-width / 4, 0.75 * height))
 """
 KNOB = """# a knob with grips around it. mm
 size = 20
@@ -68,7 +69,8 @@ def lattice(document):
     from fieldfab_workbench.objects.modify import Modify
 
     knob = _solid(document, FrepSolid, "Knob", 1.4, Expression=KNOB, MaxError=0.15)
-    filled = _solid(document, Modify, "Filled knob", 1.05, Operation="Lattice infill", Source=knob, Wall=1.6, Period=12, Strut=1.6, MaxError=0.1)
+    filled = _solid(document, Modify, "Filled knob", 1.05, Operation="Lattice infill", Source=knob, Wall=1.6, Period=12,
+                    Strut=1.6, MaxError=0.1)
     knob.ViewObject.Visibility = False
     filled.ViewObject.Transparency = 55
 
@@ -109,7 +111,8 @@ def _smaller(picture):
 
 
 def _with_picture(path, picture):
-    """Puts a picture into a saved document, where FreeCAD's start page looks for it: drawn without a graphics card, FreeCAD's own shows its logo only."""
+    """Puts a picture into a saved document, where FreeCAD's start page looks for it. FreeCAD's own picture shows only
+    its logo when drawn without a graphics card."""
     with zipfile.ZipFile(path) as saved:
         held = {name: saved.read(name) for name in saved.namelist()}
     with open(picture, "rb") as file:

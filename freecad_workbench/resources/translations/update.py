@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Collects what users read from the workbench's sources into every fieldfab_*.ts beside this file, which keeps the translations it has, and makes the .qm
-files that FreeCAD reads. A new language begins as an empty file: fieldfab_fr.ts."""
+"""Collects the workbench's texts for users from its sources into every fieldfab_*.ts beside this file, which keep their
+translations, and makes the .qm files that FreeCAD reads. A new language begins as an empty file: fieldfab_fr.ts."""
 
 import ast
 import pathlib
@@ -14,11 +14,13 @@ HERE = pathlib.Path(__file__).resolve().parent
 PACKAGE = HERE.parents[1] / "fieldfab_workbench"
 PREFERENCES = HERE.parent / "preferences.ui"
 # The calls that give an object a property: of the texts among their arguments, which are its name and its description.
-PROPERTY_CALLS = {"add": (1, 3), "addProperty": (1, 3), "add_choice": (0, 2), "_add_choice": (0, 2), "described": (0, 1), "add_outside": (0, 2)}
+PROPERTY_CALLS = {"add": (1, 3), "addProperty": (1, 3), "add_choice": (0, 2), "_add_choice": (0, 2),
+                  "described": (0, 1), "add_outside": (0, 2)}
 
 
 def collected():
-    """[(context, text)] of all sources, each once, context by context. The contexts are those where FreeCAD and words.py look."""
+    """Texts of all sources as [(context, text)], each once, sorted by context. The contexts are those where FreeCAD and
+    words.py look."""
     found = {}
     for path in sorted(PACKAGE.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -35,10 +37,12 @@ def _of_call(call):
         return [("Fieldfab", text) for text in texts]
     if name == "marked":
         held = call.args[0]
-        return [("Fieldfab", each.value) for each in (held.keys if isinstance(held, ast.Dict) else getattr(held, "elts", [held]))]
+        return [("Fieldfab", each.value)
+                for each in (held.keys if isinstance(held, ast.Dict) else getattr(held, "elts", [held]))]
     if name in PROPERTY_CALLS and len(texts) > PROPERTY_CALLS[name][1]:
         label, words = (texts[place] for place in PROPERTY_CALLS[name])
-        return [("App::Property", "".join(f" {c}" if c.isupper() else c for c in label).strip()), ("App::Property", words)]
+        return [("App::Property", "".join(f" {c}" if c.isupper() else c for c in label).strip()),
+                ("App::Property", words)]
     return []
 
 
@@ -49,7 +53,8 @@ def _of_commands(node):
         return [("Workbench", node.value.value)]
     if name != "COMMANDS":
         return []
-    told = [(key.value, [each.value for each in command.args if isinstance(each, ast.Constant) and isinstance(each.value, str)][-3:])
+    told = [(key.value, [each.value for each in command.args
+                         if isinstance(each, ast.Constant) and isinstance(each.value, str)][-3:])
             for key, command in zip(node.value.keys, node.value.values) if isinstance(command, ast.Call)]
     return [(command, text) for command, texts in told for text in texts]
 
@@ -64,13 +69,15 @@ def translations(path):
 
 def written(language, wanted, known):
     """The text of a .ts file."""
-    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>", f'<TS version="2.1" language="{language}" sourcelanguage="en">']
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>",
+             f'<TS version="2.1" language="{language}" sourcelanguage="en">']
     for context in dict.fromkeys(context for context, _ in wanted):
         lines += ["<context>", f"    <name>{escape(context)}</name>"]
         for text in (text for other, text in wanted if other == context):
             translation = known.get((context, text), "")
             kind = "" if translation else ' type="unfinished"'
-            lines += ["    <message>", f"        <source>{escape(text)}</source>", f"        <translation{kind}>{escape(translation)}</translation>", "    </message>"]
+            lines += ["    <message>", f"        <source>{escape(text)}</source>",
+                      f"        <translation{kind}>{escape(translation)}</translation>", "    </message>"]
         lines.append("</context>")
     return "\n".join([*lines, "</TS>", ""])
 

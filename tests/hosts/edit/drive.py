@@ -1,4 +1,5 @@
-"""Drives the real window of `fieldfab edit` on a model file: argv[1] the file, argv[2] where the screenshot goes. Prints what it saw."""
+"""Drives the real window of `fieldfab edit` on a model file. argv[1]: the file; argv[2]: the file of the screenshot.
+Prints what it saw."""
 
 import json
 import os
@@ -27,7 +28,8 @@ def wait(condition, seconds=60):
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
-            raise SystemExit(f"waited in vain at line {[f.lineno for f in traceback.extract_stack()][:-1]}; error: {window.view.error!r}")
+            raise SystemExit(f"waited in vain at line {[f.lineno for f in traceback.extract_stack()][:-1]}; "
+                             f"error: {window.view.error!r}")
         application.processEvents(QtCore.QEventLoop.AllEvents, 50)
         time.sleep(0.005)
 
@@ -68,15 +70,17 @@ seen["changed_by_save"] = float((shown() != first).mean())
 seen["exact_after_save"] = int(np.abs(shown() - rendered()).max())
 
 # Zooming with the wheel and panning evaluate anew.
-wheel = QtGui.QWheelEvent(QtCore.QPointF(400, 200), window.view.mapToGlobal(QtCore.QPoint(400, 200)), QtCore.QPoint(0, 0),
-                          QtCore.QPoint(0, 480), QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False)
+wheel = QtGui.QWheelEvent(
+    QtCore.QPointF(400, 200), window.view.mapToGlobal(QtCore.QPoint(400, 200)), QtCore.QPoint(0, 0),
+    QtCore.QPoint(0, 480), QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False)
 before = window.view.scale
 application.sendEvent(window.view, wheel)
 wait_for_picture()
 seen["zoomed"] = window.view.scale / before
 seen["exact_after_zoom"] = int(np.abs(shown() - rendered()).max())
 for kind, at in ((QtCore.QEvent.MouseButtonPress, (200, 200)), (QtCore.QEvent.MouseMove, (260, 220))):
-    event = QtGui.QMouseEvent(kind, QtCore.QPointF(*at), QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier)
+    event = QtGui.QMouseEvent(kind, QtCore.QPointF(*at), QtCore.Qt.LeftButton, QtCore.Qt.LeftButton,
+                              QtCore.Qt.NoModifier)
     application.sendEvent(window.view, event)
 wait_for_picture()
 seen["exact_after_turn"] = int(np.abs(shown() - rendered()).max())

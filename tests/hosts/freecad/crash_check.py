@@ -1,4 +1,5 @@
-"""Run by freecadcmd after crashes: opens each document of FIELDFAB_DOCUMENTS and leaves what is in them, as JSON, in FIELDFAB_RESULT."""
+"""Run by freecadcmd after crashes: opens each document of FIELDFAB_DOCUMENTS and writes its contents, as JSON, to
+FIELDFAB_RESULT."""
 
 import json
 import os
@@ -11,7 +12,8 @@ def look(path):
         document = FreeCAD.openDocument(path)
         ball = document.getObject("FrepSolid")
         before = ball.MadeFrom
-        seen = {"radius": ball.radius, "triangles": ball.Triangles, "facets": ball.Mesh.CountFacets, "closed": ball.Mesh.isSolid(), "volume": ball.Volume.Value, "measured": ball.Mesh.Volume}
+        seen = {"radius": ball.radius, "triangles": ball.Triangles, "facets": ball.Mesh.CountFacets,
+                "closed": ball.Mesh.isSolid(), "volume": ball.Volume.Value, "measured": ball.Mesh.Volume}
         document.recompute()
         seen.update(valid=ball.isValid(), recomputed=ball.MadeFrom != before)
         FreeCAD.closeDocument(document.Name)

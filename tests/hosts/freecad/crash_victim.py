@@ -1,4 +1,5 @@
-"""Run by freecadcmd, to be killed: recomputes and saves the document FIELDFAB_DOCUMENT over and over, and tells what it is about to do."""
+"""Run by freecadcmd, to be killed: recomputes and saves the document FIELDFAB_DOCUMENT over and over, and prints each
+step before it."""
 
 import os
 

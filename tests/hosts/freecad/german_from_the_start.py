@@ -11,7 +11,8 @@ def test_the_workbench_comes_up_in_german():
     FreeCADGui.activateWorkbench("FieldfabWorkbench")
     live(0.3)
     assert words.tr("Stock") == "Rohteil" and words.property_label("VoxelSize") == "Zellgröße"
-    texts = {action.text() for menu in FreeCADGui.getMainWindow().menuBar().findChildren(QtWidgets.QMenu) for action in menu.actions()}
+    texts = {action.text() for menu in FreeCADGui.getMainWindow().menuBar().findChildren(QtWidgets.QMenu)
+             for action in menu.actions()}
     assert {"Neuer F-Rep-Körper", "Operation hinzufügen", "Beispiele"} <= texts
     shot("german_start")
 

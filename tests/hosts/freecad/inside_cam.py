@@ -56,7 +56,8 @@ def test_a_program_is_that_of_the_same_job_from_the_command_line(document, tmp_p
     program = planned(setup)
     assert program.isValid(), program.getStatusString()
     (tmp_path / "part.frep").write_text(DOME)
-    (tmp_path / "job.toml").write_text('name = "CAM job"\nmachine = "linuxcnc"\n[input]\nmodel = "part.frep"\n[stock]\nmargin = 2\ntop = 1\n'
+    (tmp_path / "job.toml").write_text('name = "CAM job"\nmachine = "linuxcnc"\n[input]\nmodel = "part.frep"\n[stock]\n'
+                                       'margin = 2\ntop = 1\n'
                                        '[[tool]]\nname = "4 mm end mill"\ndiameter = 4\nlength = 40\n'
                                        '[[operation]]\nname = "Rough"\ntype = "rough"\ncell = 0.4\nstepdown = 3\n')
     job = kernel.load().cam.Job(str(tmp_path / "job.toml"))
@@ -66,7 +67,8 @@ def test_a_program_is_that_of_the_same_job_from_the_command_line(document, tmp_p
     assert (tmp_path / "ours.ngc").read_text() == (tmp_path / "by_hand.ngc").read_text()
     [(section, moves)] = machine_program.sections_of(program)
     assert section["name"] == "Rough" and (moves == job.moves[0]).all()
-    assert program.Seconds == pytest.approx(job.reports[0]["seconds"]) and program.CutLength.Value == pytest.approx(job.reports[0]["cut"])
+    assert (program.Seconds == pytest.approx(job.reports[0]["seconds"])
+            and program.CutLength.Value == pytest.approx(job.reports[0]["cut"]))
     machine_program.write_setup_sheet(program, str(tmp_path / "sheet.html"))
     assert "4 mm end mill" in (tmp_path / "sheet.html").read_text()
 
@@ -83,7 +85,8 @@ def test_operations_have_the_properties_of_their_stages(document, kind):
         if s.choices:
             assert operation.getEnumerationsOfProperty(s.property) == s.choices
         if s.default is not None:
-            assert s.read(operation) == pytest.approx(s.default) if s.kind == "number" else s.read(operation) == s.default
+            assert (s.read(operation) == pytest.approx(s.default) if s.kind == "number"
+                    else s.read(operation) == s.default)
     assert operation.Given == [] and operation.Proxy.given(operation) == {}
 
 
@@ -156,7 +159,8 @@ def test_values_that_cannot_be_are_told_with_the_setting(document):
     operation.Plane, operation.Beta = "view", 30
     with pytest.raises(cam_job.JobError) as raised:
         cam_job.Job(setup).plan()
-    assert raised.value.object == operation.Name and raised.value.setting == "plane" and "cannot tilt" in str(raised.value)
+    assert (raised.value.object == operation.Name and raised.value.setting == "plane"
+            and "cannot tilt" in str(raised.value))
 
 
 def test_a_failed_or_cancelled_plan_keeps_the_last_good_one(document, monkeypatch):
@@ -247,9 +251,12 @@ def test_every_machine_can_be_chosen(document):
 
 def test_tool_bits_of_freecad(document):
     tools = {name: tool_bits.read_bit(os.path.join(BITS, f"{name}.fctb"))
-             for name in ("5mm_Endmill", "6mm_Ball_End", "6mm_Bullnose", "60degree_Vbit", "5mm_Drill", "45degree_chamfer")}
-    assert tools["5mm_Endmill"] == {"name": "5mm Endmill", "shape": "flat", "diameter": 5, "length": 50, "shank": 3, "flute": 30, "flutes": 2}
-    assert tools["6mm_Bullnose"]["corner_radius"] == 1.5 and tools["60degree_Vbit"]["angle"] == 60 and tools["5mm_Drill"]["angle"] == 119
+             for name in ("5mm_Endmill", "6mm_Ball_End", "6mm_Bullnose", "60degree_Vbit", "5mm_Drill",
+                          "45degree_chamfer")}
+    assert tools["5mm_Endmill"] == {"name": "5mm Endmill", "shape": "flat", "diameter": 5, "length": 50, "shank": 3,
+                                    "flute": 30, "flutes": 2}
+    assert (tools["6mm_Bullnose"]["corner_radius"] == 1.5 and tools["60degree_Vbit"]["angle"] == 60
+            and tools["5mm_Drill"]["angle"] == 119)
     found, notes = tool_bits.read(os.path.join(BITS, "..", "Library", "Default.fctl"))
     assert len(found) >= 6 and [t["number"] for t in found][:3] == [1, 2, 3]
     assert any("probe" in note for note in notes)
@@ -257,7 +264,8 @@ def test_tool_bits_of_freecad(document):
     for tool in found:
         made = cam_tool.add(setup, tool)
         told = cam_tool.described(made)
-        assert {name: told[name] for name in tool if name in told} == {name: value for name, value in tool.items() if name in told}
+        assert ({name: told[name] for name in tool if name in told}
+                == {name: value for name, value in tool.items() if name in told})
     assert [t.Number for t in setup.Tools] == [t["number"] for t in found]
     with pytest.raises(ValueError, match="no tool bit"):
         path = os.path.join(os.environ["HOME"], "broken.fctb")
@@ -290,11 +298,13 @@ def test_a_saved_document_opens_with_its_program(document, tmp_path, monkeypatch
 def test_ways_follow_arcs():
     """Two quarter circles about (0, 0), against the closed form; rapids and cuts apart."""
     k = np.tan(np.pi / 8)
-    moves = np.array([[10, 0, 0, 0, 0], [0, 10, 0, 600, k], [-10, 0, 1, 600, k], [-10, 0, 5, 0, 0], [20, 0, 5, 0, 0], [20, 5, 5, 600, 0]], float)
+    moves = np.array([[10, 0, 0, 0, 0], [0, 10, 0, 600, k], [-10, 0, 1, 600, k], [-10, 0, 5, 0, 0], [20, 0, 5, 0, 0],
+                      [20, 5, 5, 600, 0]], float)
     points, rapid = ways.points_of(moves)
     cuts, counts = ways.runs(points, rapid, False)
     arc = cuts[: counts[0]]
-    assert len(counts) == 2 and counts[1] == 2 and np.allclose(np.hypot(arc[:, 0], arc[:, 1]), 10) and arc[:, 1].min() > -1e-6
+    assert (len(counts) == 2 and counts[1] == 2 and np.allclose(np.hypot(arc[:, 0], arc[:, 1]), 10)
+            and arc[:, 1].min() > -1e-6)
     assert np.hypot(*np.diff(arc[:, :2], axis=0).T).max() < 10 * ways.CHORD * 1.01
     jumps, counts = ways.runs(points, rapid, True)
     assert np.allclose(jumps[-3:], [[-10, 0, 1], [-10, 0, 5], [20, 0, 5]]) and counts.sum() == len(jumps)

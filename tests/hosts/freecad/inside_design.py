@@ -27,9 +27,12 @@ def go_on(fraction, message):
 # The language.
 def test_places_are_counted_as_qt_does():
     text = "a = 1  # ½ 😀\nb = 2; sphere(ä, q) \"😀\"\nspheer(3)"
-    units = [text.encode("utf-16-le")[2 * start:2 * end].decode("utf-16-le") for kind, start, end, token in language.tokens(text)]
-    assert units == [token for kind, start, end, token in language.tokens(text)] and units[3:7] == ["# ½ 😀", "b", "=", "2"]
-    shown = [(text.encode("utf-16-le")[2 * m.start:2 * m.end].decode("utf-16-le"), m.line) for m in language.mistakes(text)]
+    units = [text.encode("utf-16-le")[2 * start:2 * end].decode("utf-16-le")
+             for kind, start, end, token in language.tokens(text)]
+    assert (units == [token for kind, start, end, token in language.tokens(text)]
+            and units[3:7] == ["# ½ 😀", "b", "=", "2"])
+    shown = [(text.encode("utf-16-le")[2 * m.start:2 * m.end].decode("utf-16-le"), m.line)
+             for m in language.mistakes(text)]
     assert shown == [("ä", 1), ("spheer", 2)]
     places = language.Places(text)
     for i in range(len(text) + 1):
@@ -39,7 +42,8 @@ def test_places_are_counted_as_qt_does():
     start, fitting = language.completions(text, at)
     assert start == at - 2 and "sphere()" in [entry.insert for entry in fitting]
     assert language.word_at(text + " | sphere(2)", at + 13).signature == "sphere(r = 1)"
-    assert language.with_values(text, {"a": 3.5, "b": -1, "c": 2}) == text.replace("a = 1", "a = 3.5").replace("b = 2", "b = -1")
+    assert language.with_values(text, {"a": 3.5, "b": -1, "c": 2}) == text.replace("a = 1", "a = 3.5").replace(
+        "b = 2", "b = -1")
 
 
 def test_half_a_character_is_a_mistake_only():
@@ -50,7 +54,8 @@ def test_properties_follow_texts_in_order_only():
     document = FreeCAD.newDocument()
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression = "size = 4  # 1 to 9, side\nhole = 1\nbox(size, size, size) - sphere(hole)"
-    assert solid.getDocumentationOfProperty("size") == "side" and solid.getDocumentationOfProperty("hole") == "hole of the text"
+    assert (solid.getDocumentationOfProperty("size") == "side"
+            and solid.getDocumentationOfProperty("hole") == "hole of the text")
     solid.size = 5
     solid.Expression = solid.Expression.replace("hole = 1", "hole = (1")
     assert solid.hole == 1 and solid.size == 5, "a text with a mistake keeps them"
@@ -66,7 +71,8 @@ def test_every_shape_has_a_picture_and_a_text():
     for shape in every:
         assert shape.picture and os.path.exists(shape.picture), shape.name
         made = fieldfab.parse(shape.solid(shape.values))
-        assert shape.group not in ("Solids", "Flat shapes") or fieldfab.Solid(made).bounds(), f"{shape.name} makes no solid"
+        assert shape.group not in ("Solids", "Flat shapes") or fieldfab.Solid(made).bounds(), (
+            f"{shape.name} makes no solid")
         if not shape.text:
             fieldfab.parse(shape.before + shape.call(shape.values) + shape.after)
 
@@ -119,20 +125,25 @@ def test_coin_nodes_hold_the_mesh():
     vertices, normals, triangles = inventor.corner_normals(mesh.vertices, mesh.triangles, slopes)
     assert area(pieces({0: [inventor.written(vertices, normals, triangles)]})) == pytest.approx(6 * 16, rel=1e-5)
     # At sharp edges each side keeps its own normal.
-    facets = np.cross(vertices[triangles[:, 1]] - vertices[triangles[:, 0]], vertices[triangles[:, 2]] - vertices[triangles[:, 0]])
+    facets = np.cross(vertices[triangles[:, 1]] - vertices[triangles[:, 0]],
+                      vertices[triangles[:, 2]] - vertices[triangles[:, 0]])
     facets /= np.linalg.norm(facets, axis=1)[:, None]
     assert np.einsum("tcx,tx->tc", normals[triangles], facets).min() > inventor.CREASE - 1e-3
 
 
 def test_flat_faces_are_drawn_with_creases():
     """A post of 24 sides: smooth around, sharp at its ends."""
-    mesh = kernel.load().openscad_design("cylinder($fn = 24, h = 10, r1 = 5, r2 = 5); multmatrix([[1, 0, 0, 20], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cube(size = [1, 2, 3]); }").solid.faces()
+    mesh = kernel.load().openscad_design(
+        "cylinder($fn = 24, h = 10, r1 = 5, r2 = 5); multmatrix([[1, 0, 0, 20], [0, 1, 0, 0], [0, 0, 1, 0], "
+        "[0, 0, 0, 1]]) { cube(size = [1, 2, 3]); }").solid.faces()
     vertices, normals, triangles = inventor.creased(mesh.vertices, mesh.triangles)
     assert area(pieces({0: [inventor.written(vertices, normals, triangles)]})) == pytest.approx(mesh.area, rel=1e-5)
     level, post = np.abs(normals[:, 2]) > 0.5, vertices[:, 0] < 10
-    assert np.allclose(normals[level], [0, 0, 1] * np.sign(normals[level])) and np.allclose(normals[~level, 2], 0, atol=1e-6)
+    assert (np.allclose(normals[level], [0, 0, 1] * np.sign(normals[level]))
+            and np.allclose(normals[~level, 2], 0, atol=1e-6))
     outward = vertices[post & ~level, :2] / 5
-    assert np.einsum("ix,ix->i", normals[post & ~level, :2], outward).min() > np.cos(np.radians(8)), "of the sides on both hands"
+    assert np.einsum("ix,ix->i", normals[post & ~level, :2], outward).min() > np.cos(np.radians(8)), (
+        "of the sides on both hands")
     assert np.allclose(np.abs(normals[~post]).max(axis=1), 1), "a block's corners belong to one side each"
 
 
@@ -144,7 +155,8 @@ def test_faces_are_all_of_a_picture():
         assert count == 12 if first else count > 100
         assert seen.exact == first and list(seen.finer(go_on)) == []
         last, = seen.final(go_on)
-        assert len(pieces(last)) == 12 and area(pieces(last)) == pytest.approx(22, rel=1e-6) and not seen.is_coarse_for((0, 0, 0))
+        assert (len(pieces(last)) == 12 and area(pieces(last)) == pytest.approx(22, rel=1e-6)
+                and not seen.is_coarse_for((0, 0, 0)))
     few = refinement.Refinement(source, {}, most=11)
     few.coarse(go_on)
     assert not few.exact, "more than can be shown"
@@ -185,7 +197,8 @@ def test_blocks_are_refined_where_the_eye_is():
     before = sum(map(len, picture[(1, 1, 1)]))
     for part in seen.detail(near, go_on):
         picture.update(part)
-    assert sum(map(len, picture[(1, 1, 1)])) > 4 * before and max(level for _, level, _ in seen.details[(1, 1, 1)].parts(near)) >= 2
+    assert (sum(map(len, picture[(1, 1, 1)])) > 4 * before
+            and max(level for _, level, _ in seen.details[(1, 1, 1)].parts(near)) >= 2)
 
 
 def test_blocks_give_way_to_a_whole_of_more_triangles_than_are_shown():
@@ -201,7 +214,8 @@ def test_blocks_give_way_to_a_whole_of_more_triangles_than_are_shown():
 
 
 def test_work_that_nobody_wants_ends():
-    seen = refinement.Refinement(frep_solid.source_of_text(frep_solid.DEFAULT), {}, guess=(-21, -21, -21, 21, 21, 21), cells=16)
+    seen = refinement.Refinement(frep_solid.source_of_text(frep_solid.DEFAULT), {}, guess=(-21, -21, -21, 21, 21, 21),
+                                 cells=16)
     seen.coarse(go_on)
     with pytest.raises((work.Cancelled, kernel.load().Error)):
         list(seen.finer(lambda fraction, message: False))

@@ -24,7 +24,8 @@ def shaped(document, text, voxel=0.5, at=(0, 0, 0), turn=0, most=2000):
 
 def test_flat_faces_are_merged_and_measures_are_exact(document):
     solid, shape = shaped(document, "box(20, 10, 5)", at=(7, 0, 0), turn=30)
-    assert len(shape.Shape.Faces) == shape.Faces == 6 and shape.Shape.Volume == pytest.approx(1000) and shape.Shape.Area == pytest.approx(700)
+    assert (len(shape.Shape.Faces) == shape.Faces == 6 and shape.Shape.Volume == pytest.approx(1000)
+            and shape.Shape.Area == pytest.approx(700))
     assert shape.Shape.CenterOfMass.distanceToPoint(FreeCAD.Vector(7, 0, 0)) < 1e-6 and len(shape.Shape.Edges) == 12
     assert max(edge.Length for edge in shape.Shape.Edges) == pytest.approx(20)
     assert shape.Shape.distToShape(Part.Vertex(7, 0, 20))[0] == pytest.approx(17.5)
@@ -86,7 +87,8 @@ def test_limits_are_told(document):
     kept = shape.Shape.Volume
     shape.Source = None
     document.recompute()
-    assert not shape.isValid() and "choose a solid" in shape.getStatusString() and shape.Shape.Volume == pytest.approx(kept)
+    assert (not shape.isValid() and "choose a solid" in shape.getStatusString()
+            and shape.Shape.Volume == pytest.approx(kept))
     with pytest.raises(ValueError, match="MostTriangles"):
         part_shape.shape_of(_Stubborn(solid.Mesh.copy()), 100, True, "Ball")
 

@@ -36,9 +36,12 @@ def importer(path):
 def test_file_types_are_those_of_the_kernel(monkeypatch):
     for row in kernel.load().formats():
         for ending in (extension[1:] for extension in row["extensions"]):
-            comes_in = row["reads"] and row["kind"] not in ("script", "mesh") or row["kind"] == "mesh" and row["reads"] and row["parts"]
-            assert (file_types.MODULE in (FreeCAD.getImportType(ending) or [])) == comes_in, f"{ending}: scripts run by command only"
-            goes_out = row["writes"] and (row["kind"] in ("distances", "mesh") or ending in ("frep", "math", "vm", "vdb"))
+            comes_in = (row["reads"] and row["kind"] not in ("script", "mesh") or row["kind"] == "mesh" and row["reads"]
+                        and row["parts"])
+            assert (file_types.MODULE in (FreeCAD.getImportType(ending) or [])) == comes_in, (
+                f"{ending}: scripts run by command only")
+            goes_out = (
+                row["writes"] and (row["kind"] in ("distances", "mesh") or ending in ("frep", "math", "vm", "vdb")))
             assert (file_types.MODULE in (FreeCAD.getExportType(ending) or [])) == goes_out, ending
     assert file_types.MODULE in FreeCAD.getImportType("gz"), "of .nii.gz FreeCAD sees the end"
     # FreeCAD's start takes the table from the preferences, without the kernel.
@@ -92,7 +95,8 @@ def test_freecad_itself_takes_them(document, tmp_path):
     (tmp_path / "ball.frep").write_text("sphere(r = 5)")
     FreeCAD.loadFile(str(tmp_path / "ball.frep"))
     made = FreeCAD.ActiveDocument.Objects[0]
-    assert FreeCAD.ActiveDocument.Label == "ball" and made.isValid() and made.Volume.Value == pytest.approx(SPHERE, rel=0.02)
+    assert (FreeCAD.ActiveDocument.Label == "ball" and made.isValid()
+            and made.Volume.Value == pytest.approx(SPHERE, rel=0.02))
 
 
 @pytest.mark.parametrize("ending", file_types.extensions("mesh", reads=True, writes=True))
@@ -151,7 +155,8 @@ def test_parts_come_in_as_objects_of_a_group(document, tmp_path):
     path, opened = ball_and_box(tmp_path)
     group = importer(path).insert(str(path), document.Name)
     ball, lid = group.Group
-    assert group.Label == "model" and [part.Label for part in group.Group] == ["ball", "lid"] and ball.isValid() and lid.isValid()
+    assert (group.Label == "model" and [part.Label for part in group.Group] == ["ball", "lid"] and ball.isValid()
+            and lid.isValid())
     assert ball.Volume.Value == pytest.approx(SPHERE, rel=0.02) and lid.Volume.Value == pytest.approx(64, rel=1e-4)
     assert ball.Proxy.source(ball).colour() == "#ff0000" and lid.Proxy.source(lid).colour() is None
     document.undo()
@@ -167,7 +172,8 @@ def test_parts_come_in_as_objects_of_a_group(document, tmp_path):
     document.recompute()
     ball = document.getObject(ball.Name)
     assert ball.Volume.Value == pytest.approx(SPHERE * 64 / 125, rel=0.02) and ball.Opened == []
-    assert not lid.isValid() and "no part 'lid'" in lid.getStatusString() and lid.Volume.Value == pytest.approx(128, rel=1e-4), "it keeps its mesh"
+    assert (not lid.isValid() and "no part 'lid'" in lid.getStatusString()
+            and lid.Volume.Value == pytest.approx(128, rel=1e-4)), "it keeps its mesh"
 
 
 def test_a_document_with_parts_opens_as_it_was_and_moves_with_its_files(document, tmp_path):
@@ -181,13 +187,15 @@ def test_a_document_with_parts_opens_as_it_was_and_moves_with_its_files(document
     ball = again.getObject(group.Group[0].Name)
     ball.VoxelSize = 1
     again.recompute()
-    assert ball.isValid() and ball.Proxy.files(ball)[0] == str(tmp_path / "b" / "model.frep") and ball.Triangles < triangles
+    assert (ball.isValid() and ball.Proxy.files(ball)[0] == str(tmp_path / "b" / "model.frep")
+            and ball.Triangles < triangles)
 
 
 def test_the_example_of_an_assembly_comes_in(document, coarse):
     """A scan, a mesh and formulas: parts of one text."""
     group = files.insert(str(DATA.parents[1] / "examples" / "assembly" / "display.frep"), document.Name)
-    assert [part.Label for part in group.Group] == ["engine", "stand", "knobs"] and all(part.isValid() and part.Triangles > 100 for part in group.Group)
+    assert ([part.Label for part in group.Group] == ["engine", "stand", "knobs"]
+            and all(part.isValid() and part.Triangles > 100 for part in group.Group))
     assert [part.Proxy.source(part).colour() for part in group.Group] == ["#c0c0c0", "#cd853f", "#8b1a1a"]
     assert group.Group[0].Opened == ["../../tests/data/ct/engine.nii.gz", "knob.3mf"]
 
@@ -204,13 +212,16 @@ def test_parts_go_out_with_names_and_colours(document, coarse, tmp_path, ending)
     if ending == "3mf":
         parts = kernel.load().load_parts(path)
         assert [(name, colour) for _, name, colour in parts] == [("ball", "#ff0000"), ("lid", None), ("Box", None)]
-        assert [kernel.load().mesh(solid, voxel=1).volume for solid, _, _ in parts] == pytest.approx([SPHERE, 64, 1000], rel=0.05)
+        assert [kernel.load().mesh(solid, voxel=1).volume
+                for solid, _, _ in parts] == pytest.approx([SPHERE, 64, 1000], rel=0.05)
         assert parts[0][0].bounds()[0] == pytest.approx(13, abs=0.2)
         made = files.insert(str(path), document.Name)
-        assert [part.Label for part in made.Group] == ["ball001", "lid001", "Box001"] and made.Group[2].Volume.Value == pytest.approx(1000, rel=0.01)
+        assert ([part.Label for part in made.Group] == ["ball001", "lid001", "Box001"]
+                and made.Group[2].Volume.Value == pytest.approx(1000, rel=0.01))
     else:
         said = path.read_bytes()
-        assert all(name in said for name in (b"ball", b"lid", b"Box")) and (ending == "glb" or b"newmtl" in path.with_suffix(".mtl").read_bytes())
+        assert (all(name in said for name in (b"ball", b"lid", b"Box"))
+                and (ending == "glb" or b"newmtl" in path.with_suffix(".mtl").read_bytes()))
 
 
 def test_parts_go_out_as_text(document, coarse, tmp_path):
@@ -222,7 +233,8 @@ def test_parts_go_out_as_text(document, coarse, tmp_path):
     group.Group[0].Placement.Base = FreeCAD.Vector(18, 0, 0)
     files.export([group], str(tmp_path / "out.frep"))
     (ball, name, colour), (lid, other, _) = kernel.load().load_parts(tmp_path / "out.frep")
-    assert (name, colour, other) == ("ball", "#ff0000", "lid") and 'open("lid.3mf"' in (tmp_path / "out.frep").read_text()
+    assert ((name, colour, other) == ("ball", "#ff0000", "lid")
+            and 'open("lid.3mf"' in (tmp_path / "out.frep").read_text())
     assert ball.bounds() == pytest.approx((13, -5, -5, 23, 5, 5), abs=0.2) and lid.kind == "mesh"
     with pytest.raises(ValueError, match=".frep text only"):
         files.export([group], str(tmp_path / "out.math"))

@@ -1,4 +1,5 @@
-"""Runs inside freecadcmd: OpenSCAD's designs as trees of objects, compared with OpenSCAD's own meshes and with the kernel's reading of the same file."""
+"""Runs inside freecadcmd: OpenSCAD's designs as trees of objects, compared with OpenSCAD's own meshes and with the
+kernel's reading of the same file."""
 
 import importlib
 import math
@@ -16,7 +17,8 @@ from fieldfab_workbench.objects import solid as solids
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import openscad_designs  # noqa: E402
 
-EXAMPLES = "CSG LetterBlock assert example002 example003 example004 example005 example008 example011 example012 example014 example015 offset hull3-tests".split()
+EXAMPLES = ("CSG LetterBlock assert example002 example003 example004 example005 example008 example011 example012 "
+            "example014 example015 offset hull3-tests".split())
 
 
 @pytest.fixture
@@ -52,7 +54,8 @@ def volume_of(text, folder="."):
 
 def test_freecad_offers_both_importers():
     assert {file_types.MODULE, "importCSG"} <= set(FreeCAD.getImportType("csg"))
-    assert file_types.MODULE in FreeCAD.getImportType("scad"), "FreeCAD's own only once its preferences say where openscad is"
+    assert file_types.MODULE in FreeCAD.getImportType("scad"), (
+        "FreeCAD's own only once its preferences say where openscad is")
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
@@ -69,11 +72,13 @@ def test_examples_are_openscads_own_solids(document, tmp_path, name):
     if not flat:
         mine = np.array([tuple(point.Vector) for point in root.Mesh.Points], dtype=np.float32)
         voxel = root.Proxy.source(root).field().default_voxel()
-        assert np.abs(kernel.load().load(reference).values(mine)).max() < voxel, "no vertex is farther than a voxel from OpenSCAD's surface"
+        assert np.abs(kernel.load().load(reference).values(mine)).max() < voxel, (
+            "no vertex is farther than a voxel from OpenSCAD's surface")
     assert root.Visibility and not any(obj.Visibility for obj in root.OutListRecursive)
 
 
-CORNER = "difference() { cube(size = [10, 10, 10]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }"
+CORNER = ("difference() { cube(size = [10, 10, 10]); "
+          "multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }")
 
 
 def by_the_command(folder):
@@ -103,8 +108,10 @@ def test_the_mesh_has_the_designs_own_faces(document, read, tmp_path):
 def test_quarter_turns_are_exact(document, read):
     """A quaternion's are not: planes that should be one would be two."""
     root = read(CORNER)
-    root.Sources[1].Placement = FreeCAD.Placement(FreeCAD.Vector(5, 15, 5), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90))
-    assert "multmatrix([[1.0, 0.0, 0.0, 5.0], [0.0, 0.0, -1.0, 15.0], [0.0, 1.0, 0.0, 5.0], [0.0, 0.0, 0.0, 1.0]])" in str(root.Proxy.csg(root))
+    root.Sources[1].Placement = FreeCAD.Placement(FreeCAD.Vector(5, 15, 5),
+                                                  FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90))
+    assert ("multmatrix([[1.0, 0.0, 0.0, 5.0], [0.0, 0.0, -1.0, 15.0], [0.0, 1.0, 0.0, 5.0], [0.0, 0.0, 0.0, 1.0]])"
+            in str(root.Proxy.csg(root)))
     document.recompute()
     assert root.Volume.Value == 875 and root.Triangles < 50
     root.Sources[1].Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 1e-9)
@@ -114,15 +121,19 @@ def test_quarter_turns_are_exact(document, read):
 def test_a_sphere_has_its_facets(read, tmp_path):
     root = read("sphere($fn = 12, r = 10);")
     told = by_the_command(tmp_path)
-    assert root.Triangles == told["triangles"] == 2 * 12 * 5 + 2 * 10 and root.Volume.Value == pytest.approx(told["volume"], rel=1e-7)
-    assert all(point.Vector.Length == pytest.approx(10, abs=1e-5) for point in root.Mesh.Points) and root.Mesh.CountPoints == 6 * 12
+    assert (root.Triangles == told["triangles"] == 2 * 12 * 5 + 2 * 10
+            and root.Volume.Value == pytest.approx(told["volume"], rel=1e-7))
+    assert (all(point.Vector.Length == pytest.approx(10, abs=1e-5) for point in root.Mesh.Points)
+            and root.Mesh.CountPoints == 6 * 12)
 
 
 def test_a_part_of_a_design_is_contoured(document, read):
     root = read(CORNER)
-    root.AutoBounds, root.Lower, root.Upper, root.VoxelSize = False, FreeCAD.Vector(-1, -1, -1), FreeCAD.Vector(11, 11, 4), 0.25
+    root.AutoBounds, root.Lower, root.Upper, root.VoxelSize = (
+        False, FreeCAD.Vector(-1, -1, -1), FreeCAD.Vector(11, 11, 4), 0.25)
     document.recompute()
-    assert root.isValid() and root.Volume.Value == pytest.approx(400, rel=1e-3) and root.Mesh.BoundBox.ZMax == pytest.approx(4, abs=1e-3)
+    assert (root.isValid() and root.Volume.Value == pytest.approx(400, rel=1e-3)
+            and root.Mesh.BoundBox.ZMax == pytest.approx(4, abs=1e-3))
     root.AutoBounds = True
     document.recompute()
     assert root.Volume.Value == 875 and root.Triangles == 24
@@ -133,7 +144,8 @@ def test_what_is_made_of_other_solids_too_is_contoured(document, read):
     offset = solids.create(modify.Modify, document)
     offset.Operation, offset.Source, offset.Distance = "Offset", root, 1
     document.recompute()
-    assert offset.isValid() and offset.Volume.Value > 875 + 0.9 * 600 and offset.Proxy.source(offset).faces() is None and root.Triangles == 24
+    assert (offset.isValid() and offset.Volume.Value > 875 + 0.9 * 600 and offset.Proxy.source(offset).faces() is None
+            and root.Triangles == 24)
 
 
 @pytest.mark.parametrize("seed", [0, 1, 2, 3, 4, 6, 7, 8])
@@ -147,7 +159,9 @@ def test_random_trees_are_openscads_own_solids(document, tmp_path, seed):
 
 TREE = """difference() {
   cube(size = [10, 20, 30], center = true);
-  multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cylinder($fn = 12, h = 40, r1 = 3, r2 = 3, center = true); }
+  multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {
+    cylinder($fn = 12, h = 40, r1 = 3, r2 = 3, center = true);
+  }
   %multmatrix([[0, -1, 0, 20], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cube(size = [1, 2, 3], center = true); }
   *sphere(r = 100);
 }
@@ -161,32 +175,41 @@ group() { multmatrix([[-2, 0, 0, 20], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
 
 def test_the_tree_is_that_of_the_design(document, read):
     root = read(TREE)
-    assert shape(root) == ["Union", ["Difference", ["cube"], ["cylinder"]], ["Transform", ["linear_extrude", ["Difference", ["square"], ["circle"]]]]]
+    assert shape(root) == ["Union", ["Difference", ["cube"], ["cylinder"]],
+                           ["Transform", ["linear_extrude", ["Difference", ["square"], ["circle"]]]]]
     assert root.Volume.Value == pytest.approx(volume_of(TREE), rel=1e-3)
     assert named(document, "cylinder").Placement.Base == FreeCAD.Vector(2, 0, 0)
     scaled = root.Sources[1]
-    assert tuple(scaled.Factors) == (-2, 1, 1) and scaled.Placement.Base == FreeCAD.Vector(20, 0, 0) and scaled.Placement.Rotation.Angle == 0
+    assert (tuple(scaled.Factors) == (-2, 1, 1) and scaled.Placement.Base == FreeCAD.Vector(20, 0, 0)
+            and scaled.Placement.Rotation.Angle == 0)
     assert named(document, "linear_extrude").Twist.Value == 40 and named(document, "circle").Fn == 8
     shown = [obj for obj in document.Objects if obj.Visibility and obj != root]
     assert [shape(obj) for obj in shown] == [["cube"]] and shown[0].Volume.Value == pytest.approx(6, rel=1e-3)
     box = shown[0].Mesh.BoundBox
-    assert box.Center.distanceToPoint(FreeCAD.Vector(20, 0, 0)) < 1e-4 and box.XLength == pytest.approx(2, abs=1e-3), "turned by a quarter"
+    assert box.Center.distanceToPoint(FreeCAD.Vector(20, 0, 0)) < 1e-4 and box.XLength == pytest.approx(2, abs=1e-3), (
+        "turned by a quarter")
 
 
 def test_what_is_only_shown_may_be_wrong(document, read):
-    root = read('cube(size = [2, 2, 2]); %import(file = "gone.stl"); %cube(size = [0, 1, 1]); %union() { sphere(r = 1); cube(size = [3, 3, 3]); }')
+    root = read('cube(size = [2, 2, 2]); %import(file = "gone.stl"); %cube(size = [0, 1, 1]); '
+                '%union() { sphere(r = 1); cube(size = [3, 3, 3]); }')
     assert root.Volume.Value == pytest.approx(8, rel=1e-3)
     assert [shape(obj) for obj in document.Objects if obj.Visibility] == [["cube"], ["Union", ["sphere"], ["cube"]]]
     assert len(document.Objects) == 4
 
 
-@pytest.mark.parametrize("turn", ["[[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]", "[[0.612372, -0.353553, 0.707107, 3], [0.5, 0.866025, 0, 0], [-0.612372, 0.353553, 0.707107, 0], [0, 0, 0, 1]]"])
+@pytest.mark.parametrize("turn", ["[[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]",
+                                  "[[0.612372, -0.353553, 0.707107, 3], [0.5, 0.866025, 0, 0], "
+                                  "[-0.612372, 0.353553, 0.707107, 0], [0, 0, 0, 1]]"])
 def test_faces_that_meet_leave_no_skin(read, turn):
     """One more hole than the whole has, each flush with a face: what is left is one closed piece."""
-    holes = "cube(size = [5, 10, 10]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [5, 5, 5]); }"
-    root = read(f"difference() {{ multmatrix({turn}) {{ cube(size = [10, 10, 10]); }} multmatrix({turn}) {{ {holes} }} }}")
+    holes = ("cube(size = [5, 10, 10]); "
+             "multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [5, 5, 5]); }")
+    root = read(
+        f"difference() {{ multmatrix({turn}) {{ cube(size = [10, 10, 10]); }} multmatrix({turn}) {{ {holes} }} }}")
     found = kernel.load().inspect(root.Proxy.source(root).mesh(voxel=0.3))
-    assert found.closed and found.manifold and found.components == 1 and root.Volume.Value == pytest.approx(375, rel=1e-3)
+    assert (found.closed and found.manifold and found.components == 1
+            and root.Volume.Value == pytest.approx(375, rel=1e-3))
 
 
 def test_a_marked_root_is_the_design(document, read):
@@ -197,19 +220,26 @@ def test_a_marked_root_is_the_design(document, read):
 NODES = {
     "cylinder": "cylinder($fn = 0, $fa = 12, $fs = 2, h = 3, r1 = 1, r2 = 2, center = false);",
     "sphere": "sphere($fn = 12, r = 2);",
-    "polyhedron": "polyhedron(points = [[0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 3]], faces = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]], convexity = 1);",
-    "polygon": "linear_extrude(height = 2) { polygon(points = [[0, 0], [4, 0], [0, 4], [1, 1], [2, 1], [1, 2]], paths = [[0, 1, 2], [3, 4, 5]], convexity = 1); }",
-    "text": 'linear_extrude(height = 2) { text(text = "A "b"", size = 10, spacing = 1, font = "", halign = "left", valign = "baseline", $fn = 0); }',
-    "rotate_extrude": "rotate_extrude(angle = 90, $fn = 24) { multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { circle($fn = 9, r = 1); } }",
-    "hull": "hull() { cube(size = [4, 4, 4]); multmatrix([[1, 0, 0, 9], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { sphere($fn = 8, r = 2); } }",
+    "polyhedron": "polyhedron(points = [[0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 3]], faces = [[0, 1, 2], [0, 3, 1], "
+    "[1, 3, 2], [0, 2, 3]], convexity = 1);",
+    "polygon": "linear_extrude(height = 2) { polygon(points = [[0, 0], [4, 0], [0, 4], [1, 1], [2, 1], [1, 2]], "
+    "paths = [[0, 1, 2], [3, 4, 5]], convexity = 1); }",
+    "text": 'linear_extrude(height = 2) { text(text = "A "b"", size = 10, spacing = 1, font = "", halign = "left", '
+    'valign = "baseline", $fn = 0); }',
+    "rotate_extrude": "rotate_extrude(angle = 90, $fn = 24) { multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0], "
+    "[0, 0, 0, 1]]) { circle($fn = 9, r = 1); } }",
+    "hull": "hull() { cube(size = [4, 4, 4]); "
+    "multmatrix([[1, 0, 0, 9], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { sphere($fn = 8, r = 2); } }",
     "minkowski": "minkowski(convexity = 0) { cube(size = [4, 4, 4]); sphere($fn = 8, r = 1); }",
-    "projection": "linear_extrude(height = 2) { projection(cut = true, convexity = 0) { cube(size = [4, 4, 4], center = true); } }",
+    "projection": "linear_extrude(height = 2) { projection(cut = true, convexity = 0) { cube(size = [4, 4, 4], "
+    "center = true); } }",
     "round offset": "linear_extrude(height = 2) { offset(r = 1, $fn = 16) { square(size = [4, 4]); } }",
     "offset": "linear_extrude(height = 2) { offset(delta = 1, chamfer = true) { square(size = [4, 4]); } }",
     "resize": "resize(newsize = [8, 0, 2], auto = [0, 1, 0], convexity = 0) { cube(size = [4, 4, 4]); }",
     "multmatrix": "multmatrix([[1, 0.5, 0, 0], [0, 1, 0, 0], [0, 0, 1, 7], [0, 0, 0, 1]]) { cube(size = [4, 4, 4]); }",
     "intersection": "intersection() { cube(size = [4, 4, 4]); sphere(r = 4, $fn = 20); }",
-    "flat, turned out of its plane": "linear_extrude(height = 2) { multmatrix([[1, 0, 0, 0], [0, 0.5, -0.866025, 0], [0, 0.866025, 0.5, 0], [0, 0, 0, 1]]) { square(size = [4, 4]); } }",
+    "flat, turned out of its plane": "linear_extrude(height = 2) { multmatrix([[1, 0, 0, 0], [0, 0.5, -0.866025, 0], "
+    "[0, 0.866025, 0.5, 0], [0, 0, 0, 1]]) { square(size = [4, 4]); } }",
 }
 
 
@@ -249,7 +279,8 @@ def test_changes_arrive_at_the_root(document, read):
     assert root.Volume.Value == pytest.approx(before + section * 30 + 6000 + section * 40, rel=2e-3)
     hole.setExpression("Height", f"{cube.Name}.Length * 2")
     document.recompute()
-    assert hole.Height.Value == 20 and root.Volume.Value == pytest.approx(before + section * 30 + 6000 + section * 20, rel=2e-3)
+    assert (hole.Height.Value == 20
+            and root.Volume.Value == pytest.approx(before + section * 30 + 6000 + section * 20, rel=2e-3))
     cube.Height = 0
     document.recompute()
     assert root.isValid(), "OpenSCAD draws nothing of a cube without height"
@@ -276,7 +307,8 @@ def test_nodes_go_together_with_other_solids(document, read):
     ball.Expression = "sphere(r = 12)"
     root.Sources = [*root.Sources, ball]
     document.recompute()
-    assert root.isValid() and root.Volume.Value == pytest.approx(8000 - 4 / 3 * math.pi * 12**3 + 6 * math.pi * (2 * 12 + 10) * 4 / 3, rel=0.01)
+    assert (root.isValid() and root.Volume.Value
+            == pytest.approx(8000 - 4 / 3 * math.pi * 12**3 + 6 * math.pi * (2 * 12 + 10) * 4 / 3, rel=0.01))
     shell = solids.create(modify.Modify, document)
     shell.Operation, shell.Source, shell.Wall = "Shell", named(document, "cube"), 1
     document.recompute()
@@ -344,7 +376,8 @@ def test_files_of_a_design_are_found_again(document, tmp_path):
     root = opened.getObject(name)
     ball(tmp_path / "two" / "it's a ball.stl", 4)
     opened.recompute()
-    assert root.isValid() and root.Volume.Value == pytest.approx(1 + 4 / 3 * math.pi * 64, rel=0.01), "the file has changed"
+    assert root.isValid() and root.Volume.Value == pytest.approx(1 + 4 / 3 * math.pi * 64, rel=0.01), (
+        "the file has changed")
     (tmp_path / "two" / "it's a ball.stl").unlink()
     named(opened, "cube").Height = 2
     opened.recompute()
@@ -355,9 +388,12 @@ def test_files_of_a_design_are_found_again(document, tmp_path):
 
 def test_large_designs_are_one_object(document, read, tmp_path):
     ball(tmp_path / "ball.stl", 3)
-    row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
-    root = read(row + '\n%cube(size = [9, 9, 9]); multmatrix([[1, 0, 0, -9], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { import(file = "ball.stl"); }')
-    assert shape(root) == ["text"] and [obj.Visibility for obj in document.Objects] == [True, True] and root.OutList == []
+    row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], "
+                    f"[0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
+    root = read(row + '\n%cube(size = [9, 9, 9]); '
+                'multmatrix([[1, 0, 0, -9], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { import(file = "ball.stl"); }')
+    assert (shape(root) == ["text"] and [obj.Visibility for obj in document.Objects] == [True, True]
+            and root.OutList == [])
     assert root.Volume.Value == pytest.approx(400 + 36 * math.pi, rel=0.01)
     root.Text = "cube(size = [1, 2, 3]);"
     document.recompute()
@@ -366,37 +402,49 @@ def test_large_designs_are_one_object(document, read, tmp_path):
 
 def test_the_trunk_of_a_large_design_is_a_tree(document, read):
     """Branches that are too large are one object each, where they were, also within moves."""
-    row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
-    text = "difference() { multmatrix([[1, 0, 0, 0], [0, 1, 0, 9], [0, 0, 1, 0], [0, 0, 0, 1]]) { %sphere(r = 3); " + row + " } cube(size = [199, 99, 2]); }"
+    row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], "
+                    f"[0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
+    text = ("difference() { multmatrix([[1, 0, 0, 0], [0, 1, 0, 9], [0, 0, 1, 0], [0, 0, 0, 1]]) { %sphere(r = 3); "
+            + row + " } cube(size = [199, 99, 2]); }")
     root = read(text)
-    assert shape(root) == ["Difference", ["text"], ["cube"]] and root.Sources[0].Placement.Base.y == 9 and len(document.Objects) == 4
-    assert root.Volume.Value == pytest.approx(400 - 100, rel=0.01) and root.Volume.Value == pytest.approx(volume_of(text), rel=1e-3)
+    assert (shape(root) == ["Difference", ["text"], ["cube"]] and root.Sources[0].Placement.Base.y == 9
+            and len(document.Objects) == 4)
+    assert (root.Volume.Value == pytest.approx(400 - 100, rel=0.01)
+            and root.Volume.Value == pytest.approx(volume_of(text), rel=1e-3))
     named(document, "cube").Length = 399
     document.recompute()
     assert root.Volume.Value == pytest.approx(400 - 200, rel=0.01)
 
 
 def test_what_is_only_shown_may_be_large(document, read):
-    row = "".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
-    root = read(f"cube(size = [2, 2, 2]); %difference() {{ union() {{ {row} }} cube(size = [199, 1, 1]); {row.replace('cube(size = [1,', 'cube(size = [0.5,')} }}")
+    row = "".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], "
+                  f"[0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
+    root = read(f"cube(size = [2, 2, 2]); %difference() {{ union() {{ {row} }} cube(size = [199, 1, 1]); "
+                f"{row.replace('cube(size = [1,', 'cube(size = [0.5,')} }}")
     shown = next(obj for obj in document.Objects if obj.Visibility and obj != root)
-    assert shape(shown) == ["text"] and shown.Volume.Value == pytest.approx(150, rel=0.01) and root.Volume.Value == pytest.approx(8, rel=1e-3)
+    assert (shape(shown) == ["text"] and shown.Volume.Value == pytest.approx(150, rel=0.01)
+            and root.Volume.Value == pytest.approx(8, rel=1e-3))
 
 
 def test_deep_designs(document, read):
     move = "multmatrix([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { "
     root = read("group() { " * 3000 + move * 3000 + "cube(size = [1, 1, 1]);" + " }" * 6000)
     assert shape(root) == ["cube"] and root.Placement.Base.x == pytest.approx(3000)
-    nested = "cube(size = [1, 1, 1]); " + "".join(f"union() {{ cube(size = [{i + 1}, 1, 1]); " for i in range(150)) + "}" * 150
+    nested = "cube(size = [1, 1, 1]); " + "".join(f"union() {{ cube(size = [{i + 1}, 1, 1]); "
+                                                  for i in range(150)) + "}" * 150
     root = read(nested, "nested.csg")
-    assert len(document.Objects) > 150 and isinstance(document.Objects[-1].Proxy, combine.Combine) and root.Volume.Value == pytest.approx(150, rel=1e-2)
-    assert [obj.Label for obj in document.Objects if isinstance(obj.Proxy, openscad_node.OpenScadText)] == ["union"], "what is deeper is text"
+    assert (len(document.Objects) > 150 and isinstance(document.Objects[-1].Proxy, combine.Combine)
+            and root.Volume.Value == pytest.approx(150, rel=1e-2))
+    assert [obj.Label for obj in document.Objects if isinstance(obj.Proxy, openscad_node.OpenScadText)] == ["union"], (
+        "what is deeper is text")
 
 
 def test_what_cannot_be_read_adds_nothing(document, tmp_path, monkeypatch):
     documents = list(FreeCAD.listDocuments())
-    for name, text, said in (("a.csg", "cube(size = [1, 1, 1]", "expected"), ("b.csg", "teapot();", "'teapot' is not known"), ("c.csg", "group();", "empty"),
-                             ("d.csg", 'import(file = "gone.stl");', "gone.stl is not there"), ("e.scad", "cube(1", "OpenSCAD says"), ("f.scad", "assert(false);", "Assertion"),
+    for name, text, said in (("a.csg", "cube(size = [1, 1, 1]", "expected"),
+                             ("b.csg", "teapot();", "'teapot' is not known"), ("c.csg", "group();", "empty"),
+                             ("d.csg", 'import(file = "gone.stl");', "gone.stl is not there"),
+                             ("e.scad", "cube(1", "OpenSCAD says"), ("f.scad", "assert(false);", "Assertion"),
                              ("g.csg", "cube(size = [0, 1, 1]);", "nothing"), ("h.csg", 'cube(size = "x");', "")):
         (tmp_path / name).write_text(text)
         for into in (document.Name, "another"):
@@ -407,7 +455,8 @@ def test_what_cannot_be_read_adds_nothing(document, tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", "/nowhere")
     with pytest.raises(ValueError, match="not installed .Debian's package openscad."):
         files.insert(str(tmp_path / "a b.scad"), document.Name)
-    assert not document.Objects and list(FreeCAD.listDocuments()) == documents and not document.HasPendingTransaction and document.UndoCount == 0
+    assert (not document.Objects and list(FreeCAD.listDocuments()) == documents and not document.HasPendingTransaction
+            and document.UndoCount == 0)
 
 
 def test_what_is_wrong_names_the_object(document, read):
@@ -474,4 +523,5 @@ def test_the_root_goes_out_as_a_mesh(document, read, tmp_path):
     root.Placement.Base = FreeCAD.Vector(100, 0, 0)
     files.export([root], str(tmp_path / "out.stl"))
     mesh = kernel.load().Mesh.load(tmp_path / "out.stl")
-    assert mesh.volume == pytest.approx(root.Volume.Value, rel=1e-3) and mesh.vertices[:, 0].min() == pytest.approx(96, abs=0.1)
+    assert (mesh.volume == pytest.approx(root.Volume.Value, rel=1e-3)
+            and mesh.vertices[:, 0].min() == pytest.approx(96, abs=0.1))

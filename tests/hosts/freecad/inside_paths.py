@@ -74,7 +74,8 @@ def test_paths_are_the_program_where_the_part_is(document):
             radius = math.dist(begin, centre)
             assert math.dist(moves[i, :2], centre) == pytest.approx(radius, abs=1e-4)
             turn = 4 * math.atan(moves[i, 4])
-            assert command.Name == ("G3" if turn > 0 else "G2") and math.dist(begin, moves[i, :2]) == pytest.approx(2 * radius * abs(math.sin(turn / 2)), abs=1e-4)
+            assert (command.Name == ("G3" if turn > 0 else "G2")
+                    and math.dist(begin, moves[i, :2]) == pytest.approx(2 * radius * abs(math.sin(turn / 2)), abs=1e-4))
     assert any((moves[:, 4] != 0).any() for section, moves in machine_program.sections_of(program)), "there are arcs"
 
 
@@ -95,7 +96,8 @@ def test_freecads_job_post_and_simulator_take_them(document, tmp_path):
     posted = positions(text)
     distinct = lambda rows: rows[np.r_[True, (np.abs(np.diff(rows, axis=0)) > 2e-5).any(axis=1)]]  # noqa: E731
     assert np.allclose(distinct(posted[1:]), distinct(np.round(ours, 5)), atol=2e-5)
-    # FreeCAD's simulator leaves the dome with its allowance: the frame of 2 mm around it is gone, what is less than a level above it is not.
+    # FreeCAD's simulator leaves the dome with its allowance: the frame of 2 mm around it is gone; what is less than a
+    # level above the dome stays.
     import PathSimulator
 
     simulator = PathSimulator.PathSim()
@@ -121,13 +123,15 @@ def test_a_part_of_freecads_is_the_jobs_own_model(document):
     assert not document.findObjects(Label="Block.*") and [clone.Objects for clone in job.Model.Group] == [[box]]
     assert paths[0].ToolController.Tool.ShapeName == "ballend" and paths[0].isValid()
     more = path_jobs.to_job(program, job)[1]
-    assert len(job.Operations.Group) == 2 and len(job.Tools.Group) == 1 and more[0].ToolController == paths[0].ToolController
+    assert (len(job.Operations.Group) == 2 and len(job.Tools.Group) == 1
+            and more[0].ToolController == paths[0].ToolController)
 
 
 def test_freecads_dress_ups_take_them_and_are_simulated(document, tmp_path):
     from PathScripts import PathDressupRampEntry
 
-    program = programmed(document, "sphere(r = 12) & box(40, 40, 6)", ("profile",), tool={"diameter": 4, "length": 40, "feed": 600, "plunge": 200})
+    program = programmed(document, "sphere(r = 12) & box(40, 40, 6)", ("profile",),
+                         tool={"diameter": 4, "length": 40, "feed": 600, "plunge": 200})
     job, [path] = path_jobs.to_job(program)
     document.recompute()
     dressed = document.addObject("Path::FeaturePython", "RampEntryDressup")
@@ -142,7 +146,8 @@ def test_freecads_dress_ups_take_them_and_are_simulated(document, tmp_path):
         return [c for c in commands if c.Name == "G1" and set(c.Parameters) <= {"Z", "F"}]
 
     told = [c for c in path.Path.Commands if c.Name == "G1"]
-    assert dressed.isValid() and job.Operations.Group == [dressed] and len(dressed.Path.Commands) != len(path.Path.Commands) and told
+    assert (dressed.isValid() and job.Operations.Group == [dressed]
+            and len(dressed.Path.Commands) != len(path.Path.Commands) and told)
     text, setup = path_jobs.program_of_job(job)
     assert "(RampEntryDressup)" in text and text.count("M6 T1") == 1 and not plunges(dressed.Path.Commands)
     (tmp_path / "job.ngc").write_text(text)
@@ -150,25 +155,30 @@ def test_freecads_dress_ups_take_them_and_are_simulated(document, tmp_path):
     lower, upper = cam_setup.stock_box(program.Setup)
     size, height = upper - lower, 7
     removed = size.x * size.y * height - simulation.mesh.volume
-    beyond = 16**2 * math.acos(14 / 16) - 14 * math.sqrt(16**2 - 14**2)  # what of a disc of 16 mm is on one side of the stock, which ends at 14
+    # The part of a disc of 16 mm beyond one side of the stock, which ends at 14.
+    beyond = 16**2 * math.acos(14 / 16) - 14 * math.sqrt(16**2 - 14**2)
     ring = (math.pi * (16**2 - 12**2) - 4 * beyond) * height
     assert removed == pytest.approx(ring, rel=0.04), "a ring as wide as the tool, where there is stock"
 
 
 def test_a_program_with_a_leaning_tool_is_the_machines_own_words(document):
-    program = programmed(document, "sphere(r = 12) & box(40, 40, 16)", ("finish",), "five_axis_ac", {"shape": "ball", "diameter": 6, "length": 60, "flute": 30},
+    program = programmed(document, "sphere(r = 12) & box(40, 40, 16)", ("finish",), "five_axis_ac",
+                         {"shape": "ball", "diameter": 6, "length": 60, "flute": 30},
                          zero="model", Lean=True, Stepover=0.5, Tolerance=0.1)
     [path] = path_of_program.create_all(program)
     document.recompute()
     assert path.isValid(), path.getStatusString()
     commands = path.Path.Commands
-    assert {"A", "C"} <= set().union(*(c.Parameters for c in commands)) and all(c.Name in ("G0", "G1", "G2", "G3") for c in commands)
-    written = [line for line in machine_program.machine_file(program).decode().splitlines() if re.match(r"G[0123]\b", line)]
+    assert ({"A", "C"} <= set().union(*(c.Parameters for c in commands))
+            and all(c.Name in ("G0", "G1", "G2", "G3") for c in commands))
+    written = [line for line in machine_program.machine_file(program).decode().splitlines()
+               if re.match(r"G[0123]\b", line)]
     assert len(commands) == len(written)
 
 
 def test_machines_that_speak_no_gcode_are_told(document):
-    program = programmed(document, "sphere(r = 12) & box(40, 40, 16)", ("finish",), "shopbot5", {"shape": "ball", "diameter": 6, "length": 60, "flute": 60},
+    program = programmed(document, "sphere(r = 12) & box(40, 40, 16)", ("finish",), "shopbot5",
+                         {"shape": "ball", "diameter": 6, "length": 60, "flute": 60},
                          zero="model", Plane="front", Stepover=0.5)
     [path] = path_of_program.create_all(program)
     document.recompute()
@@ -192,7 +202,8 @@ def freecads_job(document):
     controller.Tool.Diameter = 4
     document.recompute()
     clone = job.Model.Group[0]
-    floor = next(f"Face{i + 1}" for i, face in enumerate(clone.Shape.Faces) if abs(face.CenterOfMass.z - 4) < 1e-6 and abs(face.Area - math.pi * 64) < 1e-3)
+    floor = next(f"Face{i + 1}" for i, face in enumerate(clone.Shape.Faces)
+                 if abs(face.CenterOfMass.z - 4) < 1e-6 and abs(face.Area - math.pi * 64) < 1e-3)
     pocket = PathPocketShape.Create("Pocket")
     pocket.Base = [(clone, floor)]
     profile = PathProfile.Create("Profile")
@@ -209,7 +220,8 @@ def test_a_job_of_freecads_can_be_simulated_by_us(document, tmp_path):
     assert np.allclose([*setup.lower, *setup.upper], [-3, -3, 0, 43, 33, 10])
     (tmp_path / "job.ngc").write_text(text)
     simulation = kernel.load().stock.Simulation(setup.write(str(tmp_path)), str(tmp_path / "job.ngc"), cell=0.5)
-    # FreeCAD's profile cuts the plate out of its frame of 3 mm: the ring of 4 mm around it goes, and so the whole frame.
+    # FreeCAD's profile cuts the plate out of its frame of 3 mm: it removes the ring of 4 mm around the plate, and so
+    # the whole frame.
     assert simulation.mesh.volume == pytest.approx(40 * 30 * 10 - math.pi * 64 * 6, rel=0.02)
 
 
@@ -219,7 +231,8 @@ def test_jobs_with_rotary_words_stocks_and_what_is_off(document, tmp_path):
     for kind, name, value in (("Link", "ToolController", job.Tools.Group[0]), ("Bool", "Active", True)):
         custom.addProperty(f"App::Property{kind}", name)
         setattr(custom, name, value)
-    custom.Path = Path.Path([Path.Command("G0", {"X": 0, "Y": 0, "Z": 30, "A": 0, "C": 0}), Path.Command("G1", {"X": 10, "A": 30, "C": 45, "F": 10})])
+    custom.Path = Path.Path([Path.Command("G0", {"X": 0, "Y": 0, "Z": 30, "A": 0, "C": 0}),
+                             Path.Command("G1", {"X": 10, "A": 30, "C": 45, "F": 10})])
     job.Proxy.addOperation(custom)
     text, setup = path_jobs.program_of_job(job)
     assert setup.machine == "five_axis_ac" and "G1 A30.00000 C45.00000 F600.0000 X10.00000" in text
@@ -230,7 +243,8 @@ def test_jobs_with_rotary_words_stocks_and_what_is_off(document, tmp_path):
     custom.Active = False
     text, setup = path_jobs.program_of_job(job)
     assert setup.machine is None
-    job.Stock = path_shim.stocks().CreateCylinder(job, 30, 10, FreeCAD.Placement(FreeCAD.Vector(20, 15, 0), FreeCAD.Rotation()))
+    job.Stock = path_shim.stocks().CreateCylinder(job, 30, 10,
+                                                  FreeCAD.Placement(FreeCAD.Vector(20, 15, 0), FreeCAD.Rotation()))
     document.recompute()
     text, setup = path_jobs.program_of_job(job)
     assert setup.mesh is not None and setup.mesh.volume == pytest.approx(math.pi * 900 * 10, rel=1e-2)

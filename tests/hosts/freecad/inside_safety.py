@@ -18,7 +18,9 @@ _seen, _watching = [], []
 
 
 def _watch(event, arguments):
-    if _watching and (event in RUNS or (event == "exec" and not getattr(arguments[0], "co_filename", "").startswith(("<frozen", sys.prefix, "/usr/lib")))):
+    installed = ("<frozen", sys.prefix, "/usr/lib")
+    if _watching and (event in RUNS or (
+            event == "exec" and not getattr(arguments[0], "co_filename", "").startswith(installed))):
         _seen.append((event, str(arguments)))
 
 
@@ -43,7 +45,8 @@ def add(document, kind, **values):
 def ball(path):
     at = (np.arange(24) - 11.5) * 0.5
     z, y, x = np.meshgrid(at, at, at, indexing="ij")
-    kernel.load().Volume(np.clip(128 + 100 * (4 - np.sqrt(x * x + y * y + z * z)), 0, 255).astype("f4"), spacing=(0.5, 0.5, 0.5)).save(path)
+    kernel.load().Volume(np.clip(128 + 100 * (4 - np.sqrt(x * x + y * y + z * z)), 0, 255).astype("f4"),
+                         spacing=(0.5, 0.5, 0.5)).save(path)
     return str(path)
 
 
@@ -94,7 +97,8 @@ def test_documents_hold_no_program(document, tmp_path):
     kept = [line for line in text.splitlines() if "<Python " in line]
     assert len(kept) == len(made)
     for line in kept:
-        assert 'module="fieldfab_workbench.objects.' in line and ('value="bnVsbA=="' in line or 'value="null"' in line), line
+        assert ('module="fieldfab_workbench.objects.' in line
+                and ('value="bnVsbA=="' in line or 'value="null"' in line)), line
 
 
 def test_what_fails_keeps_what_it_had_and_so_do_those_made_of_it(document, tmp_path):
@@ -114,7 +118,8 @@ def test_what_fails_keeps_what_it_had_and_so_do_those_made_of_it(document, tmp_p
 
 
 def test_fifty_solids(document, tmp_path, monkeypatch):
-    spheres = [add(document, frep_solid.FrepSolid, Expression=f"r = 5\nsphere(r) & box(9, 9, {5 + i % 5})", VoxelSize=0.4) for i in range(20)]
+    spheres = [add(document, frep_solid.FrepSolid, Expression=f"r = 5\nsphere(r) & box(9, 9, {5 + i % 5})",
+                   VoxelSize=0.4) for i in range(20)]
     for i, sphere in enumerate(spheres):
         sphere.Placement.Base = FreeCAD.Vector(4 * i, 0, 0)
     boxes = [document.addObject("Part::Box", f"Box{i}") for i in range(5)]
@@ -122,8 +127,10 @@ def test_fifty_solids(document, tmp_path, monkeypatch):
     made = list(spheres)
     made += [add(document, scan.Scan, File=ball(tmp_path / f"ball{i}.nrrd")) for i in range(5)]
     made += [add(document, solid_from_object.SolidFromObject, Source=box, VoxelSize=0.4) for box in boxes]
-    made += [add(document, combine.Combine, Operation=("Union", "Difference", "Intersection", "Blend")[i % 4], Sources=spheres[i:i + 2], VoxelSize=0.4) for i in range(12)]
-    made += [add(document, modify.Modify, Operation=("Offset", "Shell", "Mirror", "Transform")[i % 4], Source=made[20 + i], VoxelSize=0.4) for i in range(8)]
+    made += [add(document, combine.Combine, Operation=("Union", "Difference", "Intersection", "Blend")[i % 4],
+                 Sources=spheres[i:i + 2], VoxelSize=0.4) for i in range(12)]
+    made += [add(document, modify.Modify, Operation=("Offset", "Shell", "Mirror", "Transform")[i % 4],
+                 Source=made[20 + i], VoxelSize=0.4) for i in range(8)]
     assert len(made) == 50
     changed = spheres[3].Name
 

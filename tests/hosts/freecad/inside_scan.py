@@ -18,7 +18,8 @@ BALL = 4 / 3 * math.pi * 6**3
 
 
 def balls(path, radius=6.0, spot=False):
-    """Writes a volume with a ball of that radius in the middle, 0.5 mm between samples; with a spot, a crumb in a corner."""
+    """Writes a volume with a ball of that radius in the middle, with samples 0.5 mm apart. `spot`: adds a crumb in a
+    corner."""
     at = (np.arange(40) - 19.5) * 0.5
     z, y, x = np.meshgrid(at, at, at, indexing="ij")
     densities = np.clip(128 + 100 * (radius - np.sqrt(x * x + y * y + z * z)), 0, 255)

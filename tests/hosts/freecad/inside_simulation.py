@@ -21,7 +21,8 @@ G0 Z5
 """
 CRASH = "G0 X-10 Y15\nG0 Z-3\nG0 Z20\nM2\n"
 BLOCK = 40 * 30 * 10
-TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 12, "length": 30, "shank": 6, "holder_diameter": 20, "holder_length": 20}
+TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 12, "length": 30, "shank": 6, "holder_diameter": 20,
+        "holder_length": 20}
 
 
 @pytest.fixture
@@ -62,7 +63,8 @@ def test_events_are_saved_worst_first_and_opening_computes_nothing(document, slo
     obj = simulated(document, slot, Target=target, MoreOfSetup="[limits]\nx = [-30, 24]")
     assert obj.isValid(), obj.getStatusString()
     events = [json.loads(line) for line in obj.Events]
-    assert [e["kind"] for e in events][:2] == ["rapid contact", "over-travel"] and events[0]["line"] == 9 and events[1]["line"] == 6
+    assert ([e["kind"] for e in events][:2] == ["rapid contact", "over-travel"] and events[0]["line"] == 9
+            and events[1]["line"] == 6)
     assert obj.Contacts == 1 and obj.OverTravels == 2 and obj.Gouges >= 1 and "rapid contact at line 9" in obj.Verdict
     assert obj.DeepestGouge.Value > 1.5 and {"gouge"} == {e["kind"] for e in events[3:]}
     path = str(tmp_path / "saved.FCStd")
@@ -72,7 +74,8 @@ def test_events_are_saved_worst_first_and_opening_computes_nothing(document, slo
     again = FreeCAD.openDocument(path)
     try:
         other = again.getObject(obj.Name)
-        assert not computed and list(other.Events) == list(obj.Events) and other.Mesh.CountFacets == obj.Triangles and other.Verdict == obj.Verdict
+        assert (not computed and list(other.Events) == list(obj.Events) and other.Mesh.CountFacets == obj.Triangles
+                and other.Verdict == obj.Verdict)
         other.touch()
         again.recompute()
         assert not computed and other.isValid(), "nothing has changed"
@@ -92,7 +95,8 @@ def test_what_is_left_is_a_solid_and_the_next_stock(document, slot, tmp_path):
     across.write_text(SLOT.replace("X-25 Y0", "X0 Y-15").replace("G1 X25", "G1 Y25") + "M2\n")
     second = simulated(document, str(across), Stock=first, Cell=0.5)
     assert second.isValid(), second.getStatusString()
-    assert second.Volume.Value == pytest.approx(first.Volume.Value - (2 * 6 * 30 - 2 * 36), rel=5e-3)  # its edges are as coarse as its cells
+    # Its edges are as coarse as its cells.
+    assert second.Volume.Value == pytest.approx(first.Volume.Value - (2 * 6 * 30 - 2 * 36), rel=5e-3)
 
 
 def test_recompute_only_where_the_program_or_its_set_up_changed(document, slot, monkeypatch):
@@ -120,7 +124,8 @@ def test_failures_keep_the_last_result(document, slot, monkeypatch):
         file.write(SLOT + "G1 X(5\n")
     obj.touch()
     document.recompute()
-    assert not obj.isValid() and "slot.ngc:8" in obj.getStatusString() and obj.Mesh.CountFacets == triangles and obj.Volume.Value == volume
+    assert (not obj.isValid() and "slot.ngc:8" in obj.getStatusString() and obj.Mesh.CountFacets == triangles
+            and obj.Volume.Value == volume)
     os.remove(slot)
     obj.touch()
     document.recompute()
@@ -168,13 +173,15 @@ def test_programs_of_other_objects(document, slot):
     assert obj.Volume.Value == pytest.approx(BLOCK - 480, rel=1e-4)
     # FreeCAD's own paths: feeds in mm/s.
     path = document.addObject("Path::Feature", "Slot")
-    path.Path = Path.Path([Path.Command(c) for c in ("M6 T1", "M3 S5000", "G0 X-25 Y0 Z5", "G1 Z-2 F5", "G1 X25 F5", "G0 Z5")])
+    path.Path = Path.Path([Path.Command(c)
+                           for c in ("M6 T1", "M3 S5000", "G0 X-25 Y0 Z5", "G1 Z-2 F5", "G1 X25 F5", "G0 Z5")])
     text = programs.program_of(path).text.decode()
     assert "F300" in text and programs.extent(programs.program_of(path)) == ((-25, 0, -2), (25, 0, 5))
     obj.Program = path
     document.recompute()
     assert obj.isValid(), obj.getStatusString()
-    assert obj.Volume.Value == pytest.approx(BLOCK - 480, rel=1e-4) and obj.Seconds == pytest.approx((50 + 7) / 5, rel=0.3)
+    assert (obj.Volume.Value == pytest.approx(BLOCK - 480, rel=1e-4)
+            and obj.Seconds == pytest.approx((50 + 7) / 5, rel=0.3))
 
 
 def test_freecads_own_jobs(document):
@@ -196,9 +203,11 @@ def test_freecads_own_jobs(document):
     tools = programs.tools_of(job)
     assert tools[0]["diameter"] == 6 and tools[0]["shape"] == "flat" and tools == programs.tools_of(slot)
     box = simulation.bounds_of(job.Stock)
-    obj = simulated(document, "", Program=job, Tools=[set_ups.tool_to_line(t) for t in tools], StockLower=FreeCAD.Vector(box.XMin, box.YMin, box.ZMin),
+    obj = simulated(document, "", Program=job, Tools=[set_ups.tool_to_line(t) for t in tools],
+                    StockLower=FreeCAD.Vector(box.XMin, box.YMin, box.ZMin),
                     StockUpper=FreeCAD.Vector(box.XMax, box.YMax, box.ZMax), Target=part, Gouge=0.1)
     assert obj.isValid(), obj.getStatusString()
     cut = box.XLength * 6 * (box.ZMax - 8)
     assert box.XLength * box.YLength * box.ZLength - obj.Volume.Value == pytest.approx(cut, rel=0.02)
-    assert obj.Gouges == 1 and obj.DeepestGouge.Value == pytest.approx(2, abs=0.05) and json.loads(obj.Events[-1])["kind"] == "gouge"
+    assert (obj.Gouges == 1 and obj.DeepestGouge.Value == pytest.approx(2, abs=0.05)
+            and json.loads(obj.Events[-1])["kind"] == "gouge")

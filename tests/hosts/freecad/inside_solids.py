@@ -17,14 +17,17 @@ def frep(document, text, voxel=0.5, **placement):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, voxel
     if placement:
-        solid.Placement = FreeCAD.Placement(FreeCAD.Vector(*placement.get("at", (0, 0, 0))), FreeCAD.Rotation(FreeCAD.Vector(*placement.get("axis", (0, 0, 1))), placement.get("turn", 0)))
+        axis = FreeCAD.Vector(*placement.get("axis", (0, 0, 1)))
+        solid.Placement = FreeCAD.Placement(FreeCAD.Vector(*placement.get("at", (0, 0, 0))),
+                                            FreeCAD.Rotation(axis, placement.get("turn", 0)))
     return solid
 
 
 def sane(obj):
     assert obj.isValid(), obj.getStatusString()
     assert obj.Mesh.isSolid() and obj.Triangles == obj.Mesh.CountFacets > 11
-    # CGAL's exact predicates; FreeCAD's own test, in single precision, sees intersections where two spheres meet that are none.
+    # CGAL's predicates are exact. FreeCAD's own test, in single precision, finds false intersections where two spheres
+    # meet.
     assert solids.kernel.load().inspect(meshes.from_bms(meshes.bms_of(obj.Mesh))).valid
     assert obj.Volume.Value == pytest.approx(obj.Mesh.Volume, rel=1e-3)  # FreeCAD adds up in single precision
     return obj.Volume.Value
@@ -56,14 +59,16 @@ def test_sets_are_those_of_the_placed_sources(document):
     assert sane(combined(document, "Morph", a, c, Weight=1.0)) == pytest.approx(4 / 3 * math.pi * 64, rel=0.02)
 
 
-TOUCHING = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"  # no size of cells tells balls that touch from balls that do not
+# No size of cells tells balls that touch from balls that do not.
+TOUCHING = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"
 
 
 def test_a_solid_keeps_where_its_mesh_is_not_certain(document, tmp_path):
     box, balls = frep(document, "box(10, 10, 10)"), frep(document, TOUCHING, 0.25)
     document.recompute()
     assert box.Certainty == "certain" and box.UncertainPlaces == [] and not certainty.is_uncertain(box)
-    assert balls.isValid() and certainty.is_uncertain(balls) and balls.Certainty.startswith("not certain at 1 place, the largest ")
+    assert (balls.isValid() and certainty.is_uncertain(balls)
+            and balls.Certainty.startswith("not certain at 1 place, the largest "))
     (lower, upper), = certainty.uncertain_places(balls)
     assert all(a < 0.01 and b > -0.01 and a < b for a, b in zip(lower, upper)), "it is where the balls touch"
     assert "ReadOnly" in balls.getEditorMode("Certainty") and "Hidden" in balls.getEditorMode("UncertainPlaces")
@@ -107,7 +112,8 @@ def test_own_placement_is_kept_and_costs_nothing(document):
     assert a.MadeFrom == made and a.Mesh.BoundBox.Center.distanceToPoint(FreeCAD.Vector(1, 2, 3)) < 0.01
     a.Expression = "sphere(r = 6)"
     document.recompute()
-    assert a.Mesh.BoundBox.Center.distanceToPoint(FreeCAD.Vector(1, 2, 3)) < 0.01 and a.Mesh.BoundBox.XLength == pytest.approx(12, abs=0.02)
+    assert (a.Mesh.BoundBox.Center.distanceToPoint(FreeCAD.Vector(1, 2, 3)) < 0.01
+            and a.Mesh.BoundBox.XLength == pytest.approx(12, abs=0.02))
 
 
 def test_containers_place_their_members(document):
@@ -121,7 +127,8 @@ def test_containers_place_their_members(document):
 MODIFIED = {
     "Offset": ({"Distance": 2}, 4 / 3 * math.pi * 12**3),
     "Shell": ({"Wall": 2}, 4 / 3 * math.pi * (1000 - 512)),
-    "Mirror": ({"Direction": FreeCAD.Vector(1, 0, 0), "Centre": FreeCAD.Vector(20, 0, 0), "KeepOriginal": True}, 2 * SPHERE),
+    "Mirror": ({"Direction": FreeCAD.Vector(1, 0, 0), "Centre": FreeCAD.Vector(20, 0, 0), "KeepOriginal": True},
+               2 * SPHERE),
     "Linear array": ({"Step": FreeCAD.Vector(0, 25, 0), "Count": 3}, 3 * SPHERE),
     "Polar array": ({"Centre": FreeCAD.Vector(30, 0, 0), "Count": 6, "Angle": 360}, 6 * SPHERE),
     "Transform": ({"Factors": FreeCAD.Vector(1, 2, 0.5), "Turn": 30, "Step": FreeCAD.Vector(1, 2, 3)}, SPHERE),
@@ -157,7 +164,8 @@ def test_a_lattice_without_a_wall(document):
     obj = solids.create(modify.Modify, document)
     obj.Operation, obj.Source, obj.VoxelSize, obj.Wall = "Lattice infill", frep(document, "box(20, 20, 20)"), 0.5, 0
     document.recompute()
-    assert sane(obj) == pytest.approx(8000 * 0.31, rel=0.15), "a gyroid's area is 3.09 of a cell's face, here 1 mm thick in cells of 10"
+    assert sane(obj) == pytest.approx(8000 * 0.31, rel=0.15), (
+        "a gyroid's area is 3.09 of a cell's face, here 1 mm thick in cells of 10")
 
 
 def test_values_that_make_no_solid_are_told(document):
@@ -181,13 +189,15 @@ def test_meshes_and_shapes_are_solids(document):
     box.Placement.Base = FreeCAD.Vector(0, 50, 0)
     cylinder = document.addObject("Part::Cylinder", "Cylinder")
     document.recompute()
-    for source, volume, corner in ((mesh, 1000, None), (box, 1000, FreeCAD.Vector(0, 50, 0)), (cylinder, math.pi * 4 * 10, None)):
+    for source, volume, corner in ((mesh, 1000, None), (box, 1000, FreeCAD.Vector(0, 50, 0)),
+                                   (cylinder, math.pi * 4 * 10, None)):
         obj = solids.create(solid_from_object.SolidFromObject, document)
         obj.Source, obj.VoxelSize = source, 0.25
         document.recompute()
         assert sane(obj) == pytest.approx(volume, rel=0.01)
         if corner is not None:
-            assert FreeCAD.Vector(obj.Mesh.BoundBox.XMin, obj.Mesh.BoundBox.YMin, obj.Mesh.BoundBox.ZMin).distanceToPoint(corner) < 0.05
+            assert FreeCAD.Vector(obj.Mesh.BoundBox.XMin, obj.Mesh.BoundBox.YMin,
+                                  obj.Mesh.BoundBox.ZMin).distanceToPoint(corner) < 0.05
     # They can be used in sets as they are.
     drilled = combined(document, "Difference", box, frep(document, "cylinder(r = 2, h = 40)", at=(5, 55, 5)))
     assert sane(drilled) == pytest.approx(1000 - math.pi * 40, rel=0.01)
@@ -278,7 +288,8 @@ def test_undo_is_one_step_and_complete(document):
     document.commitTransaction()
     assert sane(a) == pytest.approx(64, rel=1e-3)
     document.undo()
-    assert a.Expression == "sphere(r = 10)" and a.Volume.Value == pytest.approx(SPHERE, rel=0.01) == pytest.approx(a.Mesh.Volume, rel=0.01)
+    assert (a.Expression == "sphere(r = 10)"
+            and a.Volume.Value == pytest.approx(SPHERE, rel=0.01) == pytest.approx(a.Mesh.Volume, rel=0.01))
     document.redo()
     assert sane(a) == pytest.approx(64, rel=1e-3)
 
@@ -307,7 +318,8 @@ def test_a_cancelled_recompute_keeps_the_last_good_result(document, monkeypatch)
 
     monkeypatch.setattr(solids.work, "run", cancelled)
     document.recompute()
-    assert not a.isValid() and "cancelled" in a.getStatusString() and a.Volume.Value == volume and a.Mesh.CountFacets == a.Triangles
+    assert (not a.isValid() and "cancelled" in a.getStatusString() and a.Volume.Value == volume
+            and a.Mesh.CountFacets == a.Triangles)
     monkeypatch.undo()
     a.touch()
     document.recompute()

@@ -20,7 +20,8 @@ def _xdotool(*words):
 
 def turn_wheel(widget, notches=-3, place=None):
     """Turns the wheel over a widget: below 0 towards the user."""
-    _xdotool("mousemove", *_at(widget, place), "click", "--repeat", str(abs(notches)), "--delay", "5", "4" if notches > 0 else "5")
+    _xdotool("mousemove", *_at(widget, place), "click", "--repeat", str(abs(notches)), "--delay", "5",
+             "4" if notches > 0 else "5")
 
 
 def click(widget, place=None):

@@ -1,4 +1,5 @@
-"""Run by freecadcmd, or by FreeCAD's window: runs the pytest file FIELDFAB_INSIDE in there and leaves what it said in FIELDFAB_RESULT."""
+"""Run by freecadcmd, or by FreeCAD's window: runs the pytest file FIELDFAB_INSIDE there and writes its output to
+FIELDFAB_RESULT."""
 
 import contextlib
 import io
@@ -15,12 +16,14 @@ def main():
     said, code = io.StringIO(), -1
     try:
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-            code = int(pytest.main([os.environ["FIELDFAB_INSIDE"], "-q", "-p", "no:cacheprovider", "-p", "shared_fixtures", "--tb=short", "--durations=3",
+            code = int(pytest.main([os.environ["FIELDFAB_INSIDE"], "-q", "-p", "no:cacheprovider", "-p",
+                                    "shared_fixtures", "--tb=short", "--durations=3",
                                     *os.environ.get("FIELDFAB_PYTEST", "").split()]))
     except BaseException as error:
         said.write(repr(error))
     with open(os.environ["FIELDFAB_RESULT"], "w") as file:
-        json.dump({"code": code, "said": re.sub(r"[^\n]*\(\d+ %\)[^\n]*\n?", "", said.getvalue())}, file)  # without FreeCAD's progress
+        # Without FreeCAD's progress.
+        json.dump({"code": code, "said": re.sub(r"[^\n]*\(\d+ %\)[^\n]*\n?", "", said.getvalue())}, file)
     os._exit(0)  # no questions about unsaved documents
 
 

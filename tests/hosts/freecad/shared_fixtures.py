@@ -1,4 +1,5 @@
-"""Fixtures of the tests that run inside FreeCAD: a plugin of pytest, since a second conftest.py would hide the other."""
+"""Fixtures of the tests that run inside FreeCAD. This is a plugin of pytest, since a second conftest.py would hide the
+other."""
 
 import FreeCAD
 import pytest

@@ -18,12 +18,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 # A pocket that is cut in rows, then a rapid through the wall that is left, and a cut that is too deep.
 HEAD = "G21 G90 G17\nT1 M6\nS5000 M3\nG0 X-12 Y-12 Z5\n"
-ROWS = "".join(f"G1 Y{y} F900\nG1 Z-3 F600\nG1 X{12 if i % 2 == 0 else -12} F900\n" for i, y in enumerate(range(-12, 13, 4)))
+ROWS = "".join(f"G1 Y{y} F900\nG1 Z-3 F600\nG1 X{12 if i % 2 == 0 else -12} F900\n"
+               for i, y in enumerate(range(-12, 13, 4)))
 FAULTS = "G0 Z5\nG0 X18 Y0\nG0 Z-2\nG0 Z5\nG0 X0 Y0\nG1 Z-5 F300\nG0 Z20\nM2\n"
 PROGRAM = HEAD + ROWS + FAULTS
 RAPID_LINE = PROGRAM.split("\n").index("G0 Z-2") + 1
 DEEP_LINE = PROGRAM.split("\n").index("G1 Z-5 F300") + 1
-TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 12, "length": 30, "shank": 6, "holder_diameter": 20, "holder_length": 20}
+TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 12, "length": 30, "shank": 6, "holder_diameter": 20,
+        "holder_length": 20}
 
 
 @pytest.fixture
@@ -38,12 +40,14 @@ def document(document):
 def opened(monkeypatch):
     """The panels that were made."""
     panels, real = [], simulation_panel.SimulationPanel.__init__
-    monkeypatch.setattr(simulation_panel.SimulationPanel, "__init__", lambda self, obj: (panels.append(self), real(self, obj))[1])
+    monkeypatch.setattr(simulation_panel.SimulationPanel, "__init__",
+                        lambda self, obj: (panels.append(self), real(self, obj))[1])
     return panels
 
 
 def button(words):
-    found = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QAbstractButton) if b.isVisible() and b.text() == words]
+    found = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QAbstractButton)
+             if b.isVisible() and b.text() == words]
     assert len(found) == 1, f"{len(found)} buttons {words!r}"
     return found[0]
 
@@ -74,7 +78,8 @@ def simulated(document, opened, tmp_path, target=True, cell=0.2):
     form._add_tool(TOOL)
     window.shot("simulation_setup")
     button("Simulate").click()
-    wait(lambda: panel.run is not None and panel.playback.shown > 0 and panel.playback.player.idle, 30, "the simulation")
+    wait(lambda: panel.run is not None and panel.playback.shown > 0 and panel.playback.player.idle, 30,
+         "the simulation")
     live(0.3)
     return panel
 
@@ -82,8 +87,10 @@ def simulated(document, opened, tmp_path, target=True, cell=0.2):
 def view_pixels(panel, name):
     """The 3D view as (height, width, 3) numbers."""
     picture, view = window.shot(name), panel.playback.view.widget()
-    at, (width, height) = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0)), panel.playback.view.view.getSize()
+    at, (width, height) = (view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0)),
+                           panel.playback.view.view.getSize())
     scale = width / view.width()  # pixels of the screen in one of Qt's
-    picture = picture.copy(round(at.x() * scale), round(at.y() * scale), width, height).convertToFormat(picture.Format_RGB888)
+    picture = picture.copy(round(at.x() * scale), round(at.y() * scale), width, height).convertToFormat(
+        picture.Format_RGB888)
     rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
     return rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)

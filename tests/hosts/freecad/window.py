@@ -18,22 +18,26 @@ def wait(until, seconds=30, what="it"):
 
 
 def live(seconds):
-    """Lets the window live so long, and for as many rounds of its events as an idle machine has time for: a busy one takes longer."""
+    """Lets the window live for so many seconds, and for as many rounds of its events as an idle machine has time for: a
+    busy machine takes longer."""
     end, rounds = time.monotonic() + seconds, iter(range(round(seconds / 0.03)))
     wait(lambda: next(rounds, None) is None and time.monotonic() > end, seconds + 30, "the window")
 
 
 def press(button):
     """Clicks OK, Cancel or Apply of the task panel that is open, and waits for the solid that it makes."""
-    boxes = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible() and box.button(button)]
+    boxes = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+             if box.isVisible() and box.button(button)]
     assert len(boxes) == 1, f"{len(boxes)} button boxes are seen"
     boxes[0].button(button).click()
     live(0.1)
-    wait(lambda: not any(bar.isVisible() for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QProgressBar, "Making")), 120, "the solid")
+    wait(lambda: not any(bar.isVisible() for bar in FreeCADGui.getMainWindow().findChildren(
+        QtWidgets.QProgressBar, "Making")), 120, "the solid")
 
 
 def shot(name):
-    """A picture of the whole window, as a QImage; kept as NAME.png in the folder FIELDFAB_SHOTS, where that is given."""
+    """Takes a picture of the whole window, as a QImage. It is saved as NAME.png in the folder FIELDFAB_SHOTS, if that
+    is set."""
     live(0.3)
     picture = FreeCADGui.getMainWindow().screen().grabWindow(FreeCADGui.getMainWindow().winId()).toImage()
     if folder := os.environ.get("FIELDFAB_SHOTS"):
@@ -51,8 +55,8 @@ def clock():
 
 
 class Heartbeat:
-    """Measures how long the window does not answer: `with Heartbeat() as beat: ...; assert beat.answers(), beat.gaps`, by the
-    clock above."""
+    """Measures by the clock above how long the window does not answer: `with Heartbeat() as beat: ...; assert
+    beat.answers(), beat.gaps`."""
 
     def __enter__(self):
         self.gaps, self._last = [], clock()
@@ -76,7 +80,7 @@ class Heartbeat:
         return self.gaps[-1]
 
     def answers(self, within=0.1):
-        """True where the window answered within so many seconds. These machines are shared: one gap in fifty may be theirs, if it is no
-        longer than five times that."""
+        """True where the window answered within so many seconds. These machines are shared: one gap in fifty may be the
+        machine's, if it is at most five times as long."""
         late = [gap for gap in self.gaps if gap > within]
         return len(late) <= max(1, len(self.gaps) // 50) and self.longest < 5 * within

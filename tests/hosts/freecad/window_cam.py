@@ -50,7 +50,8 @@ def part(document, text="sphere(r = 12) & box(40, 40, 16)", voxel=1.0):
 
 def seen(kind, words=None):
     """The widgets of a class that are seen; with that text, where one is given."""
-    return [w for w in FreeCADGui.getMainWindow().findChildren(kind) if w.isVisible() and (words is None or w.text() == words)]
+    return [w for w in FreeCADGui.getMainWindow().findChildren(kind)
+            if w.isVisible() and (words is None or w.text() == words)]
 
 
 def row(name):
@@ -85,12 +86,14 @@ def click(words):
 def coloured(picture, colour):
     """How many pixels of the 3D view are about of a colour."""
     picture = picture.convertToFormat(picture.Format_RGB32)
-    pixels = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), -1, 4)[150:, 450 : picture.width(), 2::-1].astype(int)
+    pixels = np.frombuffer(picture.constBits(),
+                           np.uint8).reshape(picture.height(), -1, 4)[150:, 450 : picture.width(), 2::-1].astype(int)
     return int((np.abs(pixels - colour).max(axis=2) < 40).sum())
 
 
 def seen_dialogs():
-    return [widget for widget in QtWidgets.QApplication.topLevelWidgets() if isinstance(widget, ProgramPreview) and widget.isVisible()]
+    return [widget for widget in QtWidgets.QApplication.topLevelWidgets()
+            if isinstance(widget, ProgramPreview) and widget.isVisible()]
 
 
 def new_setup(solid):
@@ -105,7 +108,8 @@ def new_setup(solid):
 
 def planned_in_panel():
     click("Plan")
-    wait(lambda: seen(QtWidgets.QPushButton, "Plan") and any("About" in w.text() for w in seen(QtWidgets.QLabel)), 60, "the plan")
+    wait(lambda: seen(QtWidgets.QPushButton, "Plan") and any("About" in w.text() for w in seen(QtWidgets.QLabel)), 60,
+         "the plan")
 
 
 def test_from_a_solid_to_a_machine_file(document, tmp_path, monkeypatch):
@@ -114,8 +118,8 @@ def test_from_a_solid_to_a_machine_file(document, tmp_path, monkeypatch):
     setup = new_setup(solid)
     assert setup.Part == solid and len(setup.Operations) == 1
     boxes = [b.text() for b in seen(QtWidgets.QToolButton) if b.isCheckable() and b.text()]
-    assert [b for b in boxes if b in ("Part", "Stock", "Tools", "Operations", "Height map", "Rough", "Moves", "Machine")] == [
-        "Part", "Stock", "Tools", "Operations", "Height map", "Rough", "Moves", "Machine"], "one panel a stage, in the chain's order"
+    stages = ["Part", "Stock", "Tools", "Operations", "Height map", "Rough", "Moves", "Machine"]
+    assert [b for b in boxes if b in stages] == stages, "one panel a stage, in the chain's order"
     window.shot("cam_setup")
     type_into("Stepdown", "0.2 in")
     assert setup.Operations[0].Proxy.given(setup.Operations[0])["stepdown"] == pytest.approx(5.08)
@@ -138,7 +142,8 @@ def test_from_a_solid_to_a_machine_file(document, tmp_path, monkeypatch):
     [preview] = seen_dialogs()
     lines = preview.program.model()
     told = [lines.data(lines.index(row, 0)) for row in range(lines.rowCount())]
-    assert [int(words.split()[0]) for words in told] == list(range(1, len(told) + 1)) and any("G1" in words for words in told)
+    assert ([int(words.split()[0]) for words in told] == list(range(1, len(told) + 1))
+            and any("G1" in words for words in told))
     window.shot("cam_preview")
     assert not os.path.exists(path)
     preview.findChild(Button).button(Button.Save).click()
@@ -155,7 +160,8 @@ def test_from_a_solid_to_a_machine_file(document, tmp_path, monkeypatch):
 def test_what_is_wrong_is_said_beside_the_setting(document):
     setup = new_setup(part(document))
     type_into("Stepdown", "-2")
-    assert any(w.text() == "must be above 0 mm" for w in row("Stepdown").findChildren(QtWidgets.QLabel) if w.isVisible())
+    assert any(w.text() == "must be above 0 mm" for w in row("Stepdown").findChildren(QtWidgets.QLabel)
+               if w.isVisible())
     show("Stepdown")
     window.shot("cam_wrong_value")
     assert "stepdown" not in setup.Operations[0].Proxy.given(setup.Operations[0])
@@ -223,7 +229,8 @@ def test_the_window_answers_while_a_plan_is_made_and_stop_ends_it(document):
     began = time.monotonic()
     stop.click()
     wait(lambda: seen(QtWidgets.QPushButton, "Plan"), 5, "the plan to stop")
-    print(f"the window answers within {1000 * min(beats):.0f} ms, the plan stops after {1000 * (time.monotonic() - began):.0f} ms")
+    print(f"the window answers within {1000 * min(beats):.0f} ms, "
+          f"the plan stops after {1000 * (time.monotonic() - began):.0f} ms")
     assert min(beats) < 0.1 and not cam_setup.programs_of(setup)
     assert any("stopped" in w.text() for w in seen(QtWidgets.QLabel))
     press(Button.Cancel)

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: machine programs as they are seen, opened again, and given to FreeCAD's own Path jobs."""
+"""Runs inside FreeCAD's window: machine programs shown, opened again, and given to FreeCAD's own Path jobs."""
 
 import FreeCAD
 import FreeCADGui
@@ -23,7 +23,8 @@ def test_a_million_moves_are_drawn_at_once(document):
         reports = [{"name": "many", "cut": 1.0, "rapid": 0.0, "seconds": 1.0}]
         sections = [{"name": "many", "tool": 1, "tilted": False, "coolant": "", "spindle": 0}]
         turn = np.linspace(0, 2000, 1_000_000)
-        moves = [np.stack([0.01 * turn * np.cos(turn), 0.01 * turn * np.sin(turn), 0 * turn, 600 + 0 * turn, 0 * turn, 0 * turn, 0 * turn, 1 + 0 * turn], axis=1)]
+        moves = [np.stack([0.01 * turn * np.cos(turn), 0.01 * turn * np.sin(turn), 0 * turn, 600 + 0 * turn, 0 * turn,
+                           0 * turn, 0 * turn, 1 + 0 * turn], axis=1)]
 
     began = clock()
     machine_program.take(program, Plan)

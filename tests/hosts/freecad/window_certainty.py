@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: the state of solids whose mesh is valid, but not certain, and the places where it is not."""
+"""Runs inside FreeCAD's window: the state of solids whose mesh is valid but not certain, and the uncertain places."""
 
 import FreeCAD
 import FreeCADGui
@@ -48,7 +48,8 @@ def test_the_panel_says_in_amber_where_a_valid_mesh_is_not_certain(document, pan
     assert colour(panel.message) == AMBER
     press(Button.Apply)
     assert solid.isValid()
-    wait(lambda: colour(panel.message) == AMBER and panel.message.text().endswith(solid.Certainty), 40, "the solid's certainty")
+    wait(lambda: colour(panel.message) == AMBER and panel.message.text().endswith(solid.Certainty), 40,
+         "the solid's certainty")
     press(Button.Cancel)
 
 
@@ -68,11 +69,13 @@ def test_boxes_of_the_places_come_and_go(document):
     assert root.getNumChildren() == before + 1 and solid.ViewObject.Proxy.shows_places()
     assert camera.height.getValue() < height / 10, "the place fills the view"
     ahead = FreeCADGui.ActiveDocument.ActiveView.getViewDirection() * camera.focalDistance.getValue()
-    assert (FreeCAD.Vector(*camera.position.getValue().getValue()) + ahead - FreeCAD.Vector(30, 0, 0)).Length < 0.1, "where the balls touch"
+    assert (FreeCAD.Vector(*camera.position.getValue().getValue()) + ahead - FreeCAD.Vector(30, 0, 0)).Length < 0.1, (
+        "where the balls touch")
     FreeCADGui.Selection.clearSelection()
     picture = window.shot("uncertain_places")
     size = picture.size()
-    found = sum((c := picture.pixelColor(x, y)).red() > 230 and 120 < c.green() < 190 and c.blue() < 60 for x in range(0, size.width()) for y in range(150, size.height() - 60, 3))
+    found = sum((c := picture.pixelColor(x, y)).red() > 230 and 120 < c.green() < 190 and c.blue() < 60
+                for x in range(0, size.width()) for y in range(150, size.height() - 60, 3))
     assert found > 50, "the lines are seen through the mesh"
     choose(solid)
     show()

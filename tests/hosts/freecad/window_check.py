@@ -32,7 +32,8 @@ def count(picture, good):
     """Of the left lower corner of the 3D view, where the legend is."""
     view = legend.view_widget()
     corner = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, view.height()))
-    return sum(good(picture.pixelColor(x, y)) for y in range(corner.y() - 220, corner.y() - 10, 2) for x in range(corner.x() + 10, corner.x() + 160, 2))
+    return sum(good(picture.pixelColor(x, y)) for y in range(corner.y() - 220, corner.y() - 10, 2)
+               for x in range(corner.x() + 10, corner.x() + 160, 2))
 
 
 def test_the_table_the_colours_and_the_legend(document, monkeypatch, tmp_path):
@@ -62,10 +63,12 @@ def test_the_table_the_colours_and_the_legend(document, monkeypatch, tmp_path):
     monkeypatch.setattr(QtWidgets.QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "table.csv"), ""))
     panel.save.click()
     rows = list(csv.DictReader((tmp_path / "table.csv").open()))
-    assert len(rows) == len(panel.report.rows) and all(row["passed"] == "yes" for row in rows) and float(rows[-1]["bound"]) == panel.report.rows[-1].bound
+    assert (len(rows) == len(panel.report.rows) and all(row["passed"] == "yes" for row in rows)
+            and float(rows[-1]["bound"]) == panel.report.rows[-1].bound)
     panel.colour.setChecked(True)
     press(QtWidgets.QDialogButtonBox.Close)
-    assert not FreeCADGui.Control.activeDialog() and solid.ViewObject.SwitchNode.whichChild.getValue() == touched and document.UndoCount == steps
+    assert (not FreeCADGui.Control.activeDialog() and solid.ViewObject.SwitchNode.whichChild.getValue() == touched
+            and document.UndoCount == steps)
     assert count(window.shot("check_closed"), light) < 300, "nothing of it is left"
     print(f"longest silence {1000 * beat.longest:.0f} ms")
 

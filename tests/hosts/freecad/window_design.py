@@ -14,7 +14,8 @@ from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
 
 def colour_at(editor, line, column):
     block = editor.document().findBlockByNumber(line)
-    return next((r.format.foreground().color().name() for r in block.layout().formats() if r.start <= column < r.start + r.length), None)
+    return next((r.format.foreground().color().name() for r in block.layout().formats()
+                 if r.start <= column < r.start + r.length), None)
 
 
 # The editor.
@@ -22,9 +23,11 @@ def test_colours_numbers_and_all_mistakes_in_their_places(document, panels):
     solid = frep(document, PART)
     edit(solid)
     editor = panels[-1].text
-    editor.setPlainText('size = 20  # outer\npart = box(size, size, size)\ndifference(part, spheer(r = 4 + x)) | text("a")')
+    editor.setPlainText(
+        'size = 20  # outer\npart = box(size, size, size)\ndifference(part, spheer(r = 4 + x)) | text("a")')
     live(0.3)
-    assert colour_at(editor, 0, 0) == COLOURS["variable"] and colour_at(editor, 0, 7) == COLOURS["number"] and colour_at(editor, 0, 12) == COLOURS["comment"]
+    assert (colour_at(editor, 0, 0) == COLOURS["variable"] and colour_at(editor, 0, 7) == COLOURS["number"]
+            and colour_at(editor, 0, 12) == COLOURS["comment"])
     assert colour_at(editor, 1, 7) == COLOURS["function"] and colour_at(editor, 2, 11) == COLOURS["variable"]
     assert colour_at(editor, 2, 32) == COLOURS["constant"] and colour_at(editor, 2, 44) == COLOURS["string"]
     mark, = editor.extraSelections()
@@ -32,13 +35,15 @@ def test_colours_numbers_and_all_mistakes_in_their_places(document, panels):
     assert mark.format.underlineStyle() == QtGui.QTextCharFormat.WaveUnderline
     assert panels[-1].message.text() == "Line 3: unknown function 'spheer'; did you mean 'sphere'?"
     picture = editor.numbers.grab().toImage()
-    assert any(picture.pixelColor(2, y).red() > 180 and picture.pixelColor(2, y).green() < 80 for y in range(picture.height())), "the line is marked, too"
+    assert any(picture.pixelColor(2, y).red() > 180 and picture.pixelColor(2, y).green() < 80
+               for y in range(picture.height())), "the line is marked, too"
     window.shot("mistake")
     editor.setPlainText("# 😀 ½\na = box(q)  # 😀\nb = a * a\nsphere(r = @ | b")
     live(0.3)
     assert [m.cursor.selectedText() for m in editor.extraSelections()] == ["q", "@"]
     assert panels[-1].message.text() == "Line 2: unknown name 'q' (and 1 more)"
-    assert colour_at(editor, 1, 4) == COLOURS["function"] and colour_at(editor, 0, 0) == COLOURS["comment"] and colour_at(editor, 1, 7) is None
+    assert (colour_at(editor, 1, 4) == COLOURS["function"] and colour_at(editor, 0, 0) == COLOURS["comment"]
+            and colour_at(editor, 1, 7) is None)
     window.shot("mistakes")
     editor.setPlainText("sphere(r = 4")
     live(0.2)
@@ -60,11 +65,13 @@ def test_completion_and_tooltips(document, panels):
     live(0.2)
     popup = editor.popup.popup()
     offered = [popup.model().index(i, 0).data() for i in range(popup.model().rowCount())]
-    assert popup.isVisible() and offered == ["rounded_box(dx = 1, dy = 1, dz = 1, r = 0.1)", "rounded_rectangle(dx = 1, dy = 1, r = 0.1)", "roundness"]
+    assert (popup.isVisible() and offered == ["rounded_box(dx = 1, dy = 1, dz = 1, r = 0.1)",
+                                              "rounded_rectangle(dx = 1, dy = 1, r = 0.1)", "roundness"])
     window.shot("completion")
     key(popup, code=QtCore.Qt.Key_Return)
     live(0.1)
-    assert editor.toPlainText() == "roundness = 2\nrounded_box()" and editor.textCursor().positionInBlock() == len("rounded_box(")
+    assert (editor.toPlainText() == "roundness = 2\nrounded_box()"
+            and editor.textCursor().positionInBlock() == len("rounded_box("))
     key(editor, code=QtCore.Qt.Key_Space, modifiers=QtCore.Qt.ControlModifier)
     live(0.1)
     assert popup.isVisible() and popup.model().rowCount() > 90
@@ -162,7 +169,8 @@ def test_a_shape_of_the_gallery_becomes_a_solid(document, panels):
     FreeCADGui.runCommand("Fieldfab_ShapeGallery")
     live(0.3)
     shapes = opened_gallery()
-    assert len(names(shapes)) > 90 and all(not shapes.pictures.item(i).icon().isNull() for i in range(shapes.pictures.count()))
+    assert (len(names(shapes)) > 90
+            and all(not shapes.pictures.item(i).icon().isNull() for i in range(shapes.pictures.count())))
     window.shot("gallery")
     shapes.search.setText("rounded box edges")
     assert names(shapes) == ["rounded box"] and list(shapes.boxes) == ["dx", "dy", "dz", "r"]

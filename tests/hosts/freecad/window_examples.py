@@ -22,16 +22,19 @@ def digest(path):
 
 def test_every_example_has_a_command_and_a_picture():
     FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    assert [command.path for command in examples.COMMANDS.values() if isinstance(command, examples.Example)] == FILES and len(FILES) == 3
+    assert ([command.path for command in examples.COMMANDS.values() if isinstance(command, examples.Example)] == FILES
+            and len(FILES) == 3)
     for path in FILES:
         assert os.path.getsize(path) < 450_000
         with zipfile.ZipFile(path) as held:
             assert held.namelist()[0] == "Document.xml"  # as FreeCAD's start page asks for
             picture = QtGui.QImage.fromData(held.read("thumbnails/Thumbnail.png"))
-        assert picture.width() == 256 and len({picture.pixel(x, y) for x in range(0, 256, 8) for y in range(0, 256, 8)}) > 40
+        assert (picture.width() == 256
+                and len({picture.pixel(x, y) for x in range(0, 256, 8) for y in range(0, 256, 8)}) > 40)
 
 
-@pytest.mark.parametrize("name", [name for name, command in examples.COMMANDS.items() if isinstance(command, examples.Example)])
+@pytest.mark.parametrize("name",
+                         [name for name, command in examples.COMMANDS.items() if isinstance(command, examples.Example)])
 def test_it_opens_as_a_new_document_with_its_meshes_and_recomputes(name):
     path = examples.COMMANDS[name].path
     before = digest(path)
@@ -65,11 +68,13 @@ def test_the_start_page_shows_copies_besides_the_users_own_folders(tmp_path, mon
     command.Activated(1)
     command.Activated(1)
     assert group.GetString("ShowCustomFolder") == f"{tmp_path};;{examples.copies()}"
-    assert [digest(os.path.join(examples.copies(), os.path.basename(path))) for path in FILES] == [digest(path) for path in FILES]
+    assert [digest(os.path.join(examples.copies(), os.path.basename(path)))
+            for path in FILES] == [digest(path) for path in FILES]
     from StartPage import StartPage
 
     page = StartPage.handle()
-    assert "Fieldfab examples" in page and all(os.path.basename(path) in page for path in FILES) and tmp_path.name in page
+    assert ("Fieldfab examples" in page and all(os.path.basename(path) in page for path in FILES)
+            and tmp_path.name in page)
     command.Activated(0)
     assert group.GetString("ShowCustomFolder") == f"{tmp_path}"
     group.SetString("ShowCustomFolder", before)

@@ -1,4 +1,5 @@
-"""Runs inside FreeCAD's window: solids as plain meshes and as Part shapes, with their places, colours and visibility."""
+"""Runs inside FreeCAD's window: solids as plain meshes and as Part shapes, with their places, colours and
+visibility."""
 
 import FreeCAD
 import FreeCADGui
@@ -31,7 +32,8 @@ def solid():
         FreeCAD.closeDocument(name)
 
 
-@pytest.mark.parametrize("command, kind", [("Fieldfab_ToMesh", "Mesh::Feature"), ("Fieldfab_ToPartShape", "Part::FeaturePython")])
+@pytest.mark.parametrize("command, kind",
+                         [("Fieldfab_ToMesh", "Mesh::Feature"), ("Fieldfab_ToPartShape", "Part::FeaturePython")])
 def test_conversions_keep_place_and_colour_and_are_one_step(solid, command, kind):
     document, steps = solid.Document, solid.Document.UndoCount
     FreeCADGui.runCommand(command)
@@ -45,7 +47,8 @@ def test_conversions_keep_place_and_colour_and_are_one_step(solid, command, kind
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     picture = window.shot(command)
-    seen = sum(c.red() > 100 > 1.5 * c.blue() for y in range(150, 560, 5) for x in range(300, 1200, 5) for c in [picture.pixelColor(x, y)])
+    seen = sum(c.red() > 100 > 1.5 * c.blue() for y in range(150, 560, 5) for x in range(300, 1200, 5)
+               for c in [picture.pixelColor(x, y)])
     assert seen > 500, "it is seen in its colour"
     document.undo()
     assert document.Objects == [solid]
@@ -70,7 +73,8 @@ def test_a_shape_is_edited_in_its_panel(solid):
     live(0.3)
     labels = [w.text() for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel) if w.isVisible()]
     assert "Most triangles" in labels and "Merge faces" in labels
-    box = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QSpinBox) if w.isVisible() and w.value() == 2000][0]
+    box = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QSpinBox)
+           if w.isVisible() and w.value() == 2000][0]
     box.setValue(500)
     press(QtWidgets.QDialogButtonBox.Ok)
     assert made.MostTriangles == 500 and made.isValid() and made.Shape.isValid()
@@ -78,19 +82,22 @@ def test_a_shape_is_edited_in_its_panel(solid):
 
 def test_parts_come_in_and_go_out_in_their_colours(tmp_path):
     path = tmp_path / "assembly.frep"
-    path.write_text('part(sphere(8), "ball", "gold")\npart(move(box(12, 12, 12), 20, 0, 0), "block", "#2050a0")\npart(move(torus(6, 2), -20, 0, 0), "ring")')
+    path.write_text('part(sphere(8), "ball", "gold")\npart(move(box(12, 12, 12), 20, 0, 0), "block", "#2050a0")\n'
+                    'part(move(torus(6, 2), -20, 0, 0), "ring")')
     FreeCADGui.activateWorkbench("FieldfabWorkbench")
     document = FreeCAD.newDocument()
     try:
         live(0.2)
         group = files.insert(str(path), document.Name)
         ball, block, ring = group.Group
-        assert document.UndoCount == 1 and (group.Label, ball.Label, block.Label, ring.Label) == ("assembly", "ball", "block", "ring")
+        assert (document.UndoCount == 1
+                and (group.Label, ball.Label, block.Label, ring.Label) == ("assembly", "ball", "block", "ring"))
         assert ball.ViewObject.ShapeColor[:3] == pytest.approx((1, 215 / 255, 0), abs=0.01)
         assert ring.ViewObject.ShapeColor[:3] == pytest.approx(preferences.colour(), abs=0.01)
         live(0.5)
         picture = window.shot("parts")
-        seen = sum(c.red() > 1.5 * c.blue() and c.green() > 1.2 * c.blue() for y in range(150, 700, 5) for x in range(300, 1300, 5) for c in [picture.pixelColor(x, y)])
+        seen = sum(c.red() > 1.5 * c.blue() and c.green() > 1.2 * c.blue() for y in range(150, 700, 5)
+                   for x in range(300, 1300, 5) for c in [picture.pixelColor(x, y)])
         assert seen > 100, "the ball is gold"
         block.ViewObject.ShapeColor = (0.0, 1.0, 0.0, 0.0)
         files.export([group], str(tmp_path / "out.3mf"))

@@ -1,5 +1,5 @@
-"""Runs inside FreeCAD's window: what becomes of every kind of object when its document is saved, closed, opened, goes back and forth in its history, and
-when it is copied and deleted. FreeCAD's report view has no line to say about it."""
+"""Runs inside FreeCAD's window: every kind of object, when its document is saved, closed, opened, undone and redone,
+and when it is copied and deleted. FreeCAD's report view stays empty."""
 
 import pathlib
 
@@ -10,7 +10,8 @@ import pytest
 from window import live, wait
 
 from fieldfab_workbench import kernel
-from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, combine, document_object, file_part, frep_solid, machine_program, modify, openscad_node,
+from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, combine, document_object, file_part,
+                                        frep_solid, machine_program, modify, openscad_node,
                                         part_shape, path_of_program, scan, simulation, solid_from_object)
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.shim import QtWidgets
@@ -50,7 +51,8 @@ def a_scan(document, folder):
     at = (np.arange(24) - 11.5) * 0.5
     z, y, x = np.meshgrid(at, at, at, indexing="ij")
     path = folder / "ball.nrrd"
-    kernel.load().Volume(np.clip(128 + 100 * (4 - np.sqrt(x * x + y * y + z * z)), 0, 255).astype("f4"), spacing=(0.5, 0.5, 0.5)).save(path)
+    kernel.load().Volume(np.clip(128 + 100 * (4 - np.sqrt(x * x + y * y + z * z)), 0, 255).astype("f4"),
+                         spacing=(0.5, 0.5, 0.5)).save(path)
     return add(document, scan.Scan, File=str(path))
 
 
@@ -61,7 +63,8 @@ def a_part_of_a_file(document, folder):
 
 def simulated_file(document, folder):
     (folder / "part.ngc").write_text(PROGRAM)
-    return add(document, simulation.Simulation, ProgramFile=str(folder / "part.ngc"), StockLower=FreeCAD.Vector(-15, -15, -5), StockUpper=FreeCAD.Vector(15, 15, 0),
+    return add(document, simulation.Simulation, ProgramFile=str(folder / "part.ngc"),
+               StockLower=FreeCAD.Vector(-15, -15, -5), StockUpper=FreeCAD.Vector(15, 15, 0),
                Cell=0.5)
 
 
@@ -77,12 +80,14 @@ KINDS = {
     "FrepSolid": lambda document, folder: frep(document),
     "Scan": a_scan,
     "SolidFromObject": of_source(solid_from_object.SolidFromObject),
-    "Combine": lambda document, folder: add(document, combine.Combine, Operation="Difference", Sources=[frep(document), frep(document, "sphere(r = 4)")], VoxelSize=1),
+    "Combine": lambda document, folder: add(document, combine.Combine, Operation="Difference",
+                                            Sources=[frep(document), frep(document, "sphere(r = 4)")], VoxelSize=1),
     "Modify": of_source(modify.Modify, Operation="Offset", Distance=1),
     "PartShape": lambda document, folder: part_shape.create(document, frep(document)),
     "FilePart": a_part_of_a_file,
     "OpenScadNode": lambda document, folder: add(document, openscad_node.OpenScadNode, Node="cube"),
-    "OpenScadText": lambda document, folder: add(document, openscad_node.OpenScadText, Text="cube(size = [3, 4, 5], center = false);"),
+    "OpenScadText": lambda document, folder: add(document, openscad_node.OpenScadText,
+                                                 Text="cube(size = [3, 4, 5], center = false);"),
     "Simulation": simulated_file,
     "Simulation of a plan": simulated_plan,
     "CamSetup": lambda document, folder: set_up(document),
@@ -114,7 +119,8 @@ def report():
 
 def test_every_kind_is_here():
     def names(kind):
-        return {name for each in kind.__subclasses__() for name in names(each) | ({each.NAME} if "NAME" in vars(each) else set())}
+        return {name for each in kind.__subclasses__()
+                for name in names(each) | ({each.NAME} if "NAME" in vars(each) else set())}
 
     abstract = {"Solid"}
     assert names(document_object.DocumentObject) - abstract <= set(KINDS)
@@ -134,13 +140,15 @@ def figures(document):
             return [getattr(each, "Name", each) for each in value]
         return f"{value:.9g}" if isinstance(value, float) else getattr(value, "Name", str(value))
 
-    return {obj.Name: {name: plain(obj, name) for name in obj.PropertiesList if name not in ("Proxy", "ExpressionEngine")} for obj in document.Objects}
+    return {obj.Name: {name: plain(obj, name) for name in obj.PropertiesList
+                       if name not in ("Proxy", "ExpressionEngine")} for obj in document.Objects}
 
 
 def same(document, first):
     """Whether all objects are what they were; what differs is printed."""
     now = figures(document)
-    different = [(obj, name, now[obj].get(name), value) for obj in now if obj in first for name, value in first[obj].items() if now[obj].get(name) != value]
+    different = [(obj, name, now[obj].get(name), value) for obj in now if obj in first
+                 for name, value in first[obj].items() if now[obj].get(name) != value]
     print(different, set(now) ^ set(first))
     return not different and set(now) == set(first)
 
@@ -194,7 +202,8 @@ def test_a_life_without_a_line_in_the_report_view(kind, report, tmp_path):
     document.recompute()
     document.commitTransaction()
     assert report() == "", "copying"
-    assert copied.isValid() and type(copied.Proxy) is type(obj.Proxy) and type(copied.ViewObject.Proxy) is type(obj.ViewObject.Proxy)
+    assert (copied.isValid() and type(copied.Proxy) is type(obj.Proxy)
+            and type(copied.ViewObject.Proxy) is type(obj.ViewObject.Proxy))
     document.undo()
     document.recompute()
     assert set(figures(document)) == set(first) and report() == "", "undo of a copy"

@@ -9,7 +9,8 @@ from window import live, wait
 from window_life import report  # noqa: F401
 
 from fieldfab_workbench import work
-from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, combine, file_part, frep_solid, machine_program, modify, openscad_node, part_shape, scan,
+from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, combine, file_part, frep_solid,
+                                        machine_program, modify, openscad_node, part_shape, scan,
                                         simulation, solid_from_object)
 from fieldfab_workbench.objects import solid as solids
 
@@ -64,7 +65,8 @@ def test_a_mistake_is_a_line(mistake, report):  # noqa: F811
     obj = MISTAKES[mistake](document)
     document.recompute()
     assert not obj.isValid()
-    said = [line for line in report().splitlines() if "Recompute failed! Please check report view." not in line]  # FreeCAD's own
+    # FreeCAD's own
+    said = [line for line in report().splitlines() if "Recompute failed! Please check report view." not in line]
     assert len(said) == 1 and "Fieldfab: " in said[0] and obj.getStatusString().splitlines()[0] in said[0], said
 
 
@@ -91,7 +93,8 @@ def test_a_python_error_of_ours_keeps_its_traceback(report):  # noqa: F811
 
 
 def dialogs():
-    return [box for box in QtWidgets.QApplication.topLevelWidgets() if isinstance(box, QtWidgets.QMessageBox) and box.isVisible()]
+    return [box for box in QtWidgets.QApplication.topLevelWidgets()
+            if isinstance(box, QtWidgets.QMessageBox) and box.isVisible()]
 
 
 def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):  # noqa: F811
@@ -103,7 +106,8 @@ def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):  # 
 
     def choose():
         dialog = QtWidgets.QApplication.activeModalWidget()
-        dialog.selectNameFilter(next(kind for kind in dialog.nameFilters() if kind.startswith("OpenSCAD design by Fieldfab")))
+        dialog.selectNameFilter(next(kind for kind in dialog.nameFilters()
+                                     if kind.startswith("OpenSCAD design by Fieldfab")))
         dialog.findChild(QtWidgets.QLineEdit, "fileNameEdit").setText(str(design))
         dialog.findChild(QtWidgets.QDialogButtonBox).button(QtWidgets.QDialogButtonBox.Open).click()
 

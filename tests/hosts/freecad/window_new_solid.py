@@ -25,7 +25,8 @@ def test_the_editor_is_open_at_once_and_no_typing_is_lost(document, panels, monk
     panel.text.selectAll()
     type_text("sphere(r = 7)")
     wait(lambda: panel.text.toPlainText() == "sphere(r = 7)", 5, "what was typed")
-    assert not [box for box in QtWidgets.QApplication.topLevelWidgets() if isinstance(box, QtWidgets.QProgressDialog) and box.isVisible()]
+    assert not [box for box in QtWidgets.QApplication.topLevelWidgets()
+                if isinstance(box, QtWidgets.QProgressDialog) and box.isVisible()]
     wait(lambda: panel.preview.stage == "final", 30, "the solid")
     assert silhouette("new_solid") > 100, "it is in the picture"
     window.shot("new_solid_panel")
@@ -54,11 +55,13 @@ def slow(monkeypatch):
 
 
 def dialogs():
-    return [box for box in QtWidgets.QApplication.topLevelWidgets() if isinstance(box, QtWidgets.QProgressDialog) and box.isVisible()]
+    return [box for box in QtWidgets.QApplication.topLevelWidgets()
+            if isinstance(box, QtWidgets.QProgressDialog) and box.isVisible()]
 
 
 def click_on(button):
-    [box] = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible() and box.button(button)]
+    [box] = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+             if box.isVisible() and box.button(button)]
     box.button(button).click()
 
 
@@ -80,12 +83,14 @@ def test_ok_computes_beside_the_window(document, panels, slow):  # noqa: F811
     assert not panel.text.isEnabled() and not dialogs() and QtWidgets.QApplication.activeModalWidget() is None
     with Heartbeat() as beat:
         live(1)
-    assert beat.longest < SECONDS / 5 and len(beat.gaps) > 5, beat.gaps[-5:]  # a window that waited would be silent until the mesh is there
+    # A window that waited would be silent until the mesh is there.
+    assert beat.longest < SECONDS / 5 and len(beat.gaps) > 5, beat.gaps[-5:]
     direction = FreeCADGui.ActiveDocument.ActiveView.getViewDirection()
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
     wait(lambda: FreeCADGui.ActiveDocument.ActiveView.getViewDirection() != direction, 5, "the view to turn")
     click_on(Button.Ok)  # again: nothing
-    wait(lambda: panel.bar_of_making.maximum() == 0 and "sharpening edges" in panel.message.text(), 60, "the bar to run to and fro at 95 percent")
+    wait(lambda: panel.bar_of_making.maximum() == 0 and "sharpening edges" in panel.message.text(), 60,
+         "the bar to run to and fro at 95 percent")
     assert panel.making is not None
     window.shot("making")
     wait(lambda: not FreeCADGui.Control.activeDialog(), 120, "the solid")

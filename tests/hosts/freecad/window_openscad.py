@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: an OpenSCAD design by File > Import, its tree, its parts, its colours, and cancelling."""
+"""Runs inside FreeCAD's window: an OpenSCAD design by File > Import, its tree, parts and colours, and cancelling."""
 
 import math
 import pathlib
@@ -25,7 +25,10 @@ EXAMPLES = pathlib.Path("/usr/share/openscad/examples")
 DESIGN = """$fn = 48;
 difference() {
   union() {
-    color("SteelBlue") hull() { translate([-20, 0, 0]) cylinder(h = 8, r = 9); translate([20, 0, 0]) cylinder(h = 8, r = 14); }
+    color("SteelBlue") hull() {
+      translate([-20, 0, 0]) cylinder(h = 8, r = 9);
+      translate([20, 0, 0]) cylinder(h = 8, r = 14);
+    }
     color("SteelBlue") translate([20, 0, 0]) cylinder(h = 24, r1 = 12, r2 = 9);
   }
   translate([20, 0, -1]) cylinder(h = 40, r = 5);
@@ -47,7 +50,8 @@ def design(tmp_path):
 def opened(monkeypatch):
     """The panels that were opened, newest last."""
     made, real = [], property_panel.PropertyPanel.__init__
-    monkeypatch.setattr(property_panel.PropertyPanel, "__init__", lambda self, obj: made.append(self) or real(self, obj))
+    monkeypatch.setattr(property_panel.PropertyPanel, "__init__",
+                        lambda self, obj: made.append(self) or real(self, obj))
     return made
 
 
@@ -66,7 +70,8 @@ def test_file_import(document, design, opened):
     def choose():
         dialog = QtWidgets.QApplication.activeModalWidget()
         assert isinstance(dialog, QtWidgets.QFileDialog)
-        dialog.selectNameFilter(next(kind for kind in dialog.nameFilters() if kind.startswith("OpenSCAD design by Fieldfab")))
+        dialog.selectNameFilter(next(kind for kind in dialog.nameFilters()
+                                     if kind.startswith("OpenSCAD design by Fieldfab")))
         dialog.findChild(QtWidgets.QLineEdit, "fileNameEdit").setText(str(design))
         dialog.findChild(Button).button(Button.Open).click()
 
@@ -79,8 +84,10 @@ def test_file_import(document, design, opened):
     shown = next(obj for obj in seen if obj != root)
     assert len(seen) == 2 and shown.ViewObject.Transparency == openscad_files.TRANSPARENCY and shown.Node == "cylinder"
     blue = (0x46 / 255, 0x82 / 255, 0xB4 / 255)
-    assert root.ViewObject.ShapeColor[:3] == pytest.approx(blue, abs=0.01) and named(document, "hull").ViewObject.ShapeColor[:3] == pytest.approx(blue, abs=0.01)
-    tinted = [obj for obj in document.Objects if obj.ViewObject.ShapeColor[:3] == pytest.approx(openscad_files.TINT, abs=0.01)]
+    assert (root.ViewObject.ShapeColor[:3] == pytest.approx(blue, abs=0.01)
+            and named(document, "hull").ViewObject.ShapeColor[:3] == pytest.approx(blue, abs=0.01))
+    tinted = [obj for obj in document.Objects
+              if obj.ViewObject.ShapeColor[:3] == pytest.approx(openscad_files.TINT, abs=0.01)]
     assert [obj.Node for obj in tinted] == ["linear_extrude"] and tinted[0] in root.Sources
     volume = root.Volume.Value
     reference, _, _ = openscad_designs.theirs(design, design.with_suffix(".off"))
@@ -114,7 +121,8 @@ def test_file_import(document, design, opened):
     FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()  # isometric would light walls and floors alike
     FreeCADGui.SendMsgToActiveView("ViewFit")
     FreeCADGui.Selection.clearSelection()
-    hidden = [dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget) if dock.isVisible() and dock.objectName() != "Combo View"]
+    hidden = [dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget)
+              if dock.isVisible() and dock.objectName() != "Combo View"]
     for dock in hidden:
         dock.hide()
     FreeCADGui.Selection.clearSelection()
@@ -137,7 +145,8 @@ def test_a_part_that_is_shown_gets_its_mesh(document, design):
     steps = document.UndoCount
     part.ViewObject.Visibility = True
     wait(lambda: part.Mesh.CountFacets > 0, what="its mesh")
-    assert part.Volume.Value > 5000 and document.UndoCount == steps + 1 and root.isValid() and "Touched" not in root.State + part.State
+    assert (part.Volume.Value > 5000 and document.UndoCount == steps + 1 and root.isValid()
+            and "Touched" not in root.State + part.State)
     part.ViewObject.Visibility = False
     part.Sources[0].Height = 16
     document.recompute()
@@ -146,11 +155,13 @@ def test_a_part_that_is_shown_gets_its_mesh(document, design):
     wait(lambda: part.Volume.Value != stale, what="its new mesh")
 
 
-CORNER = "difference() { cube(size = [10, 10, 10]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }"
+CORNER = ("difference() { cube(size = [10, 10, 10]); "
+          "multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }")
 
 
 def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
-    """A coarse contour first, since nobody knows how long faces take; from then on the faces at once, if they were quick."""
+    """The preview shows a coarse contour first, since nobody knows how long faces take. From then on it shows the faces
+    at once, if they were quick."""
     (tmp_path / "corner.csg").write_text(CORNER)
     root = files.insert(str(tmp_path / "corner.csg"), document.Name)
     assert root.Triangles == 24 and root.Volume.Value == 875
@@ -158,7 +169,8 @@ def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
     block.ViewObject.Proxy.doubleClicked(block.ViewObject)
     live(0.5)
     panel, seen = opened[-1], []
-    row = next(row for row in range(panel.rows.rowCount()) if panel.rows.itemAt(row, QtWidgets.QFormLayout.LabelRole).widget().text() == "Length")
+    row = next(row for row in range(panel.rows.rowCount())
+               if panel.rows.itemAt(row, QtWidgets.QFormLayout.LabelRole).widget().text() == "Length")
     box = panel.rows.itemAt(row, QtWidgets.QFormLayout.FieldRole).widget()
     for length in (12.0, 13.0):
         panel.preview.stage = ""
@@ -189,14 +201,16 @@ def test_faces_can_be_cancelled(document, tmp_path):
     pressed = []
 
     def cancel():
-        dialogs = [each for each in QtWidgets.QApplication.topLevelWidgets() if isinstance(each, QtWidgets.QProgressDialog) and each.isVisible()]
+        dialogs = [each for each in QtWidgets.QApplication.topLevelWidgets()
+                   if isinstance(each, QtWidgets.QProgressDialog) and each.isVisible()]
         if dialogs and "joining solids" in dialogs[0].labelText():
             pressed.append(time.monotonic())
             dialogs[0].cancel()
         else:
             QtCore.QTimer.singleShot(20, cancel)
 
-    row = "union() {" + "".join(f"multmatrix([[1, 0, 0, {i % 9}], [0, 1, 0, {i // 9}], [0, 0, 1, 0.1], [0, 0, 0, 1]]) {{ sphere($fn = 40, r = 3); }}" for i in range(60)) + "}"
+    row = "union() {" + "".join(f"multmatrix([[1, 0, 0, {i % 9}], [0, 1, 0, {i // 9}], [0, 0, 1, 0.1], "
+                                f"[0, 0, 0, 1]]) {{ sphere($fn = 40, r = 3); }}" for i in range(60)) + "}"
     text = solids.create(openscad_node.OpenScadText, document)
     text.Text, text.OnlyWhenShown, text.Visibility = row, True, False
     root.Sources = [block, text]
@@ -228,7 +242,8 @@ def test_a_cancelled_import_leaves_the_document_as_it_was(document, tmp_path, st
     design.write_text(loop + "for (i = [0 : 99]) translate([i % 9, floor(i / 9), 0.1]) sphere($fn = 40, r = 3);")
 
     def cancel():
-        dialogs = [each for each in QtWidgets.QApplication.topLevelWidgets() if isinstance(each, QtWidgets.QProgressDialog) and each.isVisible()]
+        dialogs = [each for each in QtWidgets.QApplication.topLevelWidgets()
+                   if isinstance(each, QtWidgets.QProgressDialog) and each.isVisible()]
         if dialogs and dialogs[0].labelText().startswith(stage):
             pressed.append(dialogs[0].labelText())
             dialogs[0].cancel()
@@ -252,7 +267,8 @@ def test_work_is_beside_the_window(document, monkeypatch):
 
 def test_a_tree_of_three_hundred_parts(document, tmp_path):
     """As many as there may be: made, and changed, while nobody waits long."""
-    row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {{ cube(size = [1, 1, {1 + i / 100}]); }}" for i in range(290))
+    row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], "
+                    f"[0, 0, 0, 1]]) {{ cube(size = [1, 1, {1 + i / 100}]); }}" for i in range(290))
     (tmp_path / "row.csg").write_text(row)
     began = time.monotonic()
     root = files.insert(str(tmp_path / "row.csg"), document.Name)

@@ -37,7 +37,8 @@ def test_ok_takes_the_mesh_that_was_shown(document, panels, monkeypatch):
     edit(solid)
     panels[-1].rows["size"].box.setValue(22)
     shown(panels[-1].preview, "final", "detail")
-    wait(lambda: not panels[-1].preview._task.is_alive(), 40, "the solid's own mesh, which follows blocks on a busy machine")
+    wait(lambda: not panels[-1].preview._task.is_alive(), 40,
+         "the solid's own mesh, which follows blocks on a busy machine")
     made, real = [], sources.kept
     monkeypatch.setattr(sources, "kept", lambda key, make: real(key, lambda: made.append(key) or make()))
     press(Button.Ok)
@@ -53,7 +54,8 @@ def test_cancel_gives_the_object_its_look_back(document, panels):
     shown(panels[-1].preview, "final", "detail")
     assert silhouette("small") < before / 4
     press(Button.Cancel)
-    assert silhouette("look_again") == pytest.approx(before, rel=0.02) and solid.ViewObject.RootNode.getNumChildren() == children
+    assert (silhouette("look_again") == pytest.approx(before, rel=0.02)
+            and solid.ViewObject.RootNode.getNumChildren() == children)
     edit(solid)
     panels[-1].text.setPlainText("sphere(r = 3)")
     shown(panels[-1].preview, "coarse", "finer", "final", "detail")
@@ -74,7 +76,8 @@ def test_a_document_may_be_closed_meanwhile(panels):
 
 def test_the_first_picture_comes_within_100_ms(document, panels):
     """From a change to its picture; tried until it is seen, since the processor is shared with whatever else runs."""
-    for name, text, other in (("mtm_az", MTM.read_text(), MTM.read_text().replace("f-4.5", "f-4.4")), ("default", frep_solid.DEFAULT, frep_solid.DEFAULT.replace("2.4", "2.5"))):
+    for name, text, other in (("mtm_az", MTM.read_text(), MTM.read_text().replace("f-4.5", "f-4.4")),
+                              ("default", frep_solid.DEFAULT, frep_solid.DEFAULT.replace("2.4", "2.5"))):
         solid = frep(document, "box(10, 10, 2)" if name == "mtm_az" else "box(40, 40, 40)")
         preview, latencies = Preview(solid), [1.0]
         while min(latencies) > 0.1 and len(latencies) < 60:
@@ -100,8 +103,10 @@ def test_the_window_answers_and_the_newest_wins(document, panels):
                 live(0.02)
             live(0.4)
         beats.append(beat)
-    print("longest beats", [round(1000 * b.longest) for b in beats], "ms, of which busy", [round(1000 * b.busiest) for b in beats], "ms")
-    # Software draws here, on processors that others use, too: the wall clock has their share in it, and its bound is wider.
+    print("longest beats", [round(1000 * b.longest) for b in beats], "ms, of which busy",
+          [round(1000 * b.busiest) for b in beats], "ms")
+    # The view is drawn by software, on processors that others use, too: these add to the wall clock, so its bound is
+    # wider.
     assert max(b.busiest for b in beats) < 0.1 and min(b.longest for b in beats) < 0.3
     row.box.setValue(1.5)
     panels[-1].voxel.setValue(1.5)
@@ -126,7 +131,8 @@ def test_closer_is_finer(document, panels):
 
     def finest():
         nearest = min(seen._blocks(), key=lambda block: seen._distance(block, preview._eye))
-        return max((level for _, level, _ in seen.details[nearest].parts(preview._eye)), default=0) if nearest in seen.shown else 0
+        return (max((level for _, level, _ in seen.details[nearest].parts(preview._eye)), default=0)
+                if nearest in seen.shown else 0)
 
     wait(lambda: preview.stage == "detail" and finest() >= 2, 40, "detail")
     window.shot("close")
@@ -148,11 +154,13 @@ def test_combining_and_modifying_is_seen_at_once(document, panels):
     shown(panel.preview, "final", "detail")
     assert silhouette("shrunk") == pytest.approx(whole / 4, rel=0.15)
     press(Button.Ok)
-    assert document.Objects[-1].Distance.Value == -5 and document.Objects[-1].Volume.Value == pytest.approx(1000, rel=0.05)
+    assert (document.Objects[-1].Distance.Value == -5
+            and document.Objects[-1].Volume.Value == pytest.approx(1000, rel=0.05))
 
 
 def test_a_million_triangles_are_seen_soon(document):
-    """From the mesh to the object and its first picture. The bound is generous: software draws here, on shared processors."""
+    """From the mesh to the object and its first picture. The bound is generous: the view is drawn by software, on
+    shared processors."""
     solid = frep(document, "sphere(r = 5)")
     fieldfab = solids.kernel.load()
     mesh = fieldfab.mesh(fieldfab.parse("sphere(r = 50)"), voxel=0.42, max_error=0, features=False)
@@ -162,5 +170,6 @@ def test_a_million_triangles_are_seen_soon(document):
     solid.Mesh = taken
     given = clock()
     live(0.01)
-    print(f"{len(mesh.triangles)} triangles: {made - began:.3f} s to FreeCAD's form, {given - made:.3f} s into the object, {clock() - given:.3f} s until it is drawn")
+    print(f"{len(mesh.triangles)} triangles: {made - began:.3f} s to FreeCAD's form, "
+          f"{given - made:.3f} s into the object, {clock() - given:.3f} s until it is drawn")
     assert len(mesh.triangles) > 1e6 and clock() - began < 3

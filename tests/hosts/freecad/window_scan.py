@@ -45,13 +45,15 @@ def drag(histogram, share):
     """Moves the mouse, pressed, to a place of the histogram."""
     at = QtCore.QPointF(share * histogram.width(), histogram.height() / 2)
     for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonRelease):
-        QtWidgets.QApplication.sendEvent(histogram, QtGui.QMouseEvent(kind, at, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier))
+        QtWidgets.QApplication.sendEvent(histogram, QtGui.QMouseEvent(
+            kind, at, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier))
 
 
 def pixels(picture, colour, reach=40):
     """How many pixels are near a colour: every second one of every second row."""
     return sum(abs(c.red() - colour[0]) + abs(c.green() - colour[1]) + abs(c.blue() - colour[2]) < reach
-               for y in range(0, picture.height(), 2) for x in range(0, picture.width(), 2) for c in [picture.pixelColor(x, y)])
+               for y in range(0, picture.height(), 2) for x in range(0, picture.width(), 2)
+               for c in [picture.pixelColor(x, y)])
 
 
 def test_from_import_to_solid(document, opened):
@@ -68,7 +70,8 @@ def test_from_import_to_solid(document, opened):
         drag(panel.histogram, 0.2 + 0.02 * step)
         live(0.02)
     wait(panel.work.idle)
-    assert not panel.automatic.isChecked() and panel.threshold.value() == pytest.approx(panel.histogram.density_at(0.58 * panel.histogram.width()), abs=1)
+    assert (not panel.automatic.isChecked() and panel.threshold.value()
+            == pytest.approx(panel.histogram.density_at(0.58 * panel.histogram.width()), abs=1))
     assert panel.estimate.text() != shown, "the picture follows"
     window.shot("scan_bone")
     panel.cropping.setChecked(True)
@@ -78,7 +81,8 @@ def test_from_import_to_solid(document, opened):
     panel.voxel.setValue(3)
     threshold = panel.threshold.value()
     press(Button.Ok)
-    assert obj.isValid() and obj.Triangles > 1000 and obj.Crop == [0, 0, 0, 128, 255, 98] and obj.Threshold == pytest.approx(threshold)
+    assert (obj.isValid() and obj.Triangles > 1000 and obj.Crop == [0, 0, 0, 128, 255, 98]
+            and obj.Threshold == pytest.approx(threshold))
     assert obj.Mesh.BoundBox.XMax < 129 and document.UndoCount == steps + 1 and obj.FileState == scan.AS_READ
     window.shot("scan_solid")
     document.undo()
@@ -93,7 +97,8 @@ def test_the_window_answers_while_a_scan_is_read_and_its_threshold_dragged(docum
         while not ended:
             overview.surface(scans.Cut())
 
-    # What it takes to draw the view, by software here, while the processors are as busy: no thread can take that off the window.
+    # The time to draw the view, by software here, while the processors are as busy: no thread can take that off the
+    # window.
     other = threading.Thread(target=busy)
     other.start()
     with Heartbeat() as drawing:
@@ -152,7 +157,8 @@ def test_files_can_be_dropped(document, opened, tmp_path):
     assert not document.Objects
     opened.clear()
     drop(CT / "CT_pitch.nii.gz")
-    wait(lambda: opened and opened[-1].overview is not None and opened[-1].work.idle(), what="the panel of what was dropped")
+    wait(lambda: opened and opened[-1].overview is not None and opened[-1].work.idle(),
+         what="the panel of what was dropped")
     opened[-1].voxel.setValue(5)
     press(Button.Ok)
     assert [obj.Label for obj in document.Objects] == ["CT_pitch"] and document.Objects[0].isValid()
@@ -194,7 +200,8 @@ def test_raw_files_ask_for_what_they_do_not_say(document, opened, tmp_path):
     window.shot("scan_raw")
     press(Button.Ok)
     obj = document.Objects[0]
-    assert obj.isValid() and obj.Samples == [30, 30, 30] and obj.Volume.Value == pytest.approx(4 / 3 * np.pi * 125, rel=0.03)
+    assert (obj.isValid() and obj.Samples == [30, 30, 30]
+            and obj.Volume.Value == pytest.approx(4 / 3 * np.pi * 125, rel=0.03))
     kept = obj.MadeFrom
     FreeCADGui.ActiveDocument.setEdit(obj.Name)
     wait(lambda: opened[-1] is not panel and opened[-1].overview is not None and opened[-1].work.idle())
@@ -236,7 +243,8 @@ def test_a_missing_file_is_found_again(document, opened, tmp_path):
     panel.choose(str(tmp_path / "found.nii.gz"))
     wait(lambda: panel.overview is not None and panel.work.idle())
     press(Button.Ok)
-    assert obj.isValid() and obj.FileState == scan.AS_READ and not obj.ViewObject.Proxy.getIcon().endswith("ScanMissing.svg")
+    assert (obj.isValid() and obj.FileState == scan.AS_READ
+            and not obj.ViewObject.Proxy.getIcon().endswith("ScanMissing.svg"))
 
 
 def test_ok_computes_beside_the_window(document, opened):
@@ -294,17 +302,21 @@ def test_a_file_that_is_no_volume_is_told(document, opened, tmp_path):
 
 def test_a_script_runs_only_after_yes(document, tmp_path, monkeypatch):
     script = tmp_path / "part.py"
-    script.write_text("import pathlib, fieldfab as ff\npathlib.Path(__file__).with_suffix('.ran').touch()\nsolid = ff.shapes.sphere(5)\n")
+    script.write_text("import pathlib, fieldfab as ff\npathlib.Path(__file__).with_suffix('.ran').touch()\n"
+                      "solid = ff.shapes.sphere(5)\n")
     monkeypatch.setattr(QtWidgets.QFileDialog, "getOpenFileName", lambda *_: (str(script), ""))
     asked = []
     for answer, ran in ((QtWidgets.QMessageBox.No, False), (QtWidgets.QMessageBox.Yes, True)):
         monkeypatch.setattr(QtWidgets.QMessageBox, "question", lambda *a, answer=answer: asked.append(a[2]) or answer)
         FreeCADGui.runCommand("Fieldfab_RunScript")
         assert (tmp_path / "part.ran").exists() == ran
-    assert len(asked) == 2 and str(script) in asked[0] and document.Objects[0].Volume.Value == pytest.approx(523.6, rel=0.02)
-    script.write_text("import fieldfab as ff\nff.part(ff.shapes.sphere(5), 'ball', 'red')\nff.part(ff.shapes.box(1, 2, 3), 'box')\n")
+    assert (len(asked) == 2 and str(script) in asked[0]
+            and document.Objects[0].Volume.Value == pytest.approx(523.6, rel=0.02))
+    script.write_text("import fieldfab as ff\nff.part(ff.shapes.sphere(5), 'ball', 'red')\n"
+                      "ff.part(ff.shapes.box(1, 2, 3), 'box')\n")
     group = commands.add_script(str(script))
-    assert [(part.Label, round(part.Volume.Value)) for part in group.Group] == [("ball", pytest.approx(524, abs=5)), ("box", 6)]
+    assert [(part.Label, round(part.Volume.Value)) for part in group.Group] == [
+        ("ball", pytest.approx(524, abs=5)), ("box", 6)]
     assert group.Group[0].ViewObject.ShapeColor[:3] == (1.0, 0.0, 0.0)
     script.write_text("import fieldfab\nsolid = 1 / 0\n")
     with pytest.raises(ValueError, match=r"part.py:2: ZeroDivisionError"):

@@ -42,7 +42,8 @@ def cap(document, name):  # noqa: F811
     """Which pixels of the view have the colour of cut faces."""
     picture, view = window.shot(name), PartView(document)
     at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
-    picture = picture.copy(at.x(), at.y(), view.widget().width(), view.widget().height()).convertToFormat(picture.Format_RGB888)
+    picture = picture.copy(at.x(), at.y(), view.widget().width(), view.widget().height()).convertToFormat(
+        picture.Format_RGB888)
     rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
     pixels = rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
     return (np.abs(pixels - 255 * np.array(section.CAP_COLOUR)) < 12).all(axis=-1)

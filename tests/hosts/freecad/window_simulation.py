@@ -6,7 +6,8 @@ import time
 import FreeCADGui
 import numpy as np
 import pytest
-from simulating import DEEP_LINE, PROGRAM, RAPID_LINE, ROOT, Button, document, opened, simulated, view_pixels  # noqa: F401
+from simulating import (DEEP_LINE, PROGRAM, RAPID_LINE, ROOT, Button, document, opened, simulated,  # noqa: F401
+                        view_pixels)
 from window import Heartbeat, live, press, wait
 
 from fieldfab_workbench.objects import simulation
@@ -41,7 +42,8 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
     playback.buttons["first"].click()
     wait(lambda: playback.player.idle)
     begin = view_pixels(panel, "simulation_begin")
-    assert not playback.legend.isVisible() and "-12.000" in playback.axes["X"].text() and 4 <= playback.program.line() <= 6
+    assert (not playback.legend.isVisible() and "-12.000" in playback.axes["X"].text()
+            and 4 <= playback.program.line() <= 6)
     assert np.abs(begin - at_end).max(axis=2).mean() > 1
     playback.speed.setCurrentIndex(playback.speed.findText("5\N{MULTIPLICATION SIGN}"))
     shown, began = playback.shown, time.monotonic()
@@ -52,7 +54,8 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
         playback.buttons["play"].click()
     rate = (playback.shown - shown) / (time.monotonic() - began)
     worked = (time.thread_time() - worked) / max(1, playback.shown - shown)
-    print(f"played with {rate:.1f} frames a second, the window answered within {1000 * beat.longest:.0f} ms, {1000 * worked:.0f} ms of its own time a frame")
+    print(f"played with {rate:.1f} frames a second, the window answered within {1000 * beat.longest:.0f} ms, "
+          f"{1000 * worked:.0f} ms of its own time a frame")
     wait(lambda: playback.player.idle)
     live(0.2)
     middle = view_pixels(panel, "simulation_middle")
@@ -60,13 +63,15 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
     # Of its own time, since other work may have the machine; 20 frames a second leave 50 ms.
     assert rate > 2 and worked < 0.05 and beat.longest < 1
     press(Button.Ok)
-    assert document.UndoCount == steps + 1 and not FreeCADGui.Control.activeDialog() and obj.ViewObject.Visibility and obj.isValid()
+    assert (document.UndoCount == steps + 1 and not FreeCADGui.Control.activeDialog() and obj.ViewObject.Visibility
+            and obj.isValid())
 
 
 def test_events_lines_and_clicks_find_each_other(document, opened, tmp_path):
     panel = simulated(document, opened, tmp_path)
     playback, events = panel.playback, panel.playback.events
-    assert [events.topLevelItem(i).text(0).split(":")[0] for i in range(2)] == ["rapid contact", "gouge"] and events.topLevelItem(0).text(1) == str(RAPID_LINE)
+    assert ([events.topLevelItem(i).text(0).split(":")[0] for i in range(2)] == ["rapid contact", "gouge"]
+            and events.topLevelItem(0).text(1) == str(RAPID_LINE))
     events.itemClicked.emit(events.topLevelItem(0), 0)
     wait(lambda: playback.player.idle)
     live(0.3)
@@ -104,7 +109,8 @@ def test_events_lines_and_clicks_find_each_other(document, opened, tmp_path):
         at = QtCore.QPoint(round(x / scale), round(widget.height() - y / scale))
         for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
             buttons = QtCore.Qt.LeftButton if kind == QtCore.QEvent.MouseButtonPress else QtCore.Qt.NoButton
-            QtWidgets.QApplication.sendEvent(widget, QtGui.QMouseEvent(kind, at, QtCore.Qt.LeftButton, buttons, QtCore.Qt.NoModifier))
+            QtWidgets.QApplication.sendEvent(widget, QtGui.QMouseEvent(
+                kind, at, QtCore.Qt.LeftButton, buttons, QtCore.Qt.NoModifier))
         live(0.2)
         view_pixels(panel, f"simulation_click_{line}")
         assert f"this place was cut by line {line} " in panel.message.text() and playback.program.line() == line

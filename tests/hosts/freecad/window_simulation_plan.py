@@ -8,7 +8,8 @@ import window
 from simulating import Button, button, document, opened, view_pixels  # noqa: F401
 from window import live, press, wait
 
-from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, frep_solid, machine_program, programs, simulation
+from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, frep_solid, machine_program, programs,
+                                        simulation)
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
@@ -61,8 +62,10 @@ def test_the_stock_is_seen_alone_and_part_and_paths_by_switches(document, opened
     stock = view_pixels(panel, "plan_stock")
     pointer.click(playback.see_paths, QtCore.QPoint(8, playback.see_paths.height() // 2))
     paths = view_pixels(panel, "plan_paths")
-    red = lambda picture: int(((picture[..., 0] > 180) & (picture[..., 1] < 90) & (picture[..., 2] < 90)).sum())  # noqa: E731
-    assert red(paths) > red(stock) + 50 and playback.colours.isVisible() and [words for _, words, _ in playback.colours.entries] == ["cuts of tool 1", "rapids"]
+    red = lambda picture: int(((picture[..., 0] > 180) & (picture[..., 1] < 90)  # noqa: E731
+                               & (picture[..., 2] < 90)).sum())
+    assert (red(paths) > red(stock) + 50 and playback.colours.isVisible()
+            and [words for _, words, _ in playback.colours.entries] == ["cuts of tool 1", "rapids"])
     playback.see_paths.click()
     assert playback.colours is None
     playback.see_stock.click()
@@ -93,7 +96,8 @@ def test_a_program_file_made_of_the_planned_one_keeps_its_set_up(document, opene
     panel.run = None
     button("Simulate").click()
     wait(lambda: panel.task is None and panel.run is not None, 60, "the simulation")
-    assert panel.obj.Program is None and panel.obj.SetupProgram == planned and panel.obj.Removed.Value == pytest.approx(removed, rel=1e-6)
+    assert (panel.obj.Program is None and panel.obj.SetupProgram == planned
+            and panel.obj.Removed.Value == pytest.approx(removed, rel=1e-6))
     press(Button.Ok)
 
 
@@ -119,7 +123,8 @@ def test_a_hidden_simulation_is_carried_out_once_it_is_shown(document, opened, p
     assert not made, "the part is gone, and nobody looks"
     document.undo()
     document.recompute()
-    assert planned.isValid() and planned.Setup.isValid() and machine_program.machine_file(planned) and planned.Setup.Part is not None
+    assert (planned.isValid() and planned.Setup.isValid() and machine_program.machine_file(planned)
+            and planned.Setup.Part is not None)
     assert not made
 
 
@@ -138,21 +143,24 @@ def test_deleting_a_set_up_and_undo_brings_its_program_back(document, planned): 
     document.undo()
     document.recompute()
     again = document.getObject(name)
-    assert again.isValid() and machine_program.machine_file(again) == text and again.Setup is not None and machine_program.sections_of(again)
+    assert (again.isValid() and machine_program.machine_file(again) == text and again.Setup is not None
+            and machine_program.sections_of(again))
 
 
 def test_around_the_program_is_around_all_that_it_cuts():
     def text(*lines):
         return programs.Program("\n".join(lines).encode(), "a.ngc", None)
 
-    assert programs.highest_cut(text("G21 G90", "G0 X0 Y0 Z20", "G1 Z-2 F100", "X10", "G0 Z20 X0", "G1 Z6", "G1 Y4 Z7.5", "G0 Z20")) == 7.5
+    assert programs.highest_cut(text("G21 G90", "G0 X0 Y0 Z20", "G1 Z-2 F100", "X10", "G0 Z20 X0", "G1 Z6",
+                                     "G1 Y4 Z7.5", "G0 Z20")) == 7.5
     assert programs.highest_cut(text("G20", "g0x0y0z1", "g1z.1f5", "x1(Z9)")) == pytest.approx(2.54)
     assert programs.highest_cut(text("G0 X0 Y0 Z5")) is None
 
 
 def test_the_button_takes_a_program_above_zero_whole(document, opened, tmp_path):  # noqa: F811
     path = tmp_path / "high.ngc"
-    path.write_text("G21 G90 G17\nT1 M6\nS5000 M3\nG0 X0 Y0 Z30\nG1 Z12 F300\nG1 X10 F900\nG1 Z-4\nG1 Y10\nG0 Z30\nM2\n")
+    path.write_text("G21 G90 G17\nT1 M6\nS5000 M3\nG0 X0 Y0 Z30\nG1 Z12 F300\nG1 X10 F900\nG1 Z-4\nG1 Y10\n"
+                    "G0 Z30\nM2\n")
     FreeCADGui.runCommand("Fieldfab_SimulateProgram")
     live(0.3)
     form = opened[-1].setup

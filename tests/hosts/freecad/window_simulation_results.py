@@ -45,7 +45,8 @@ def test_a_reopened_document_shows_events_and_plays_when_asked(document, opened,
         live(0.3)
         panel = opened[-1]
         window.shot("simulation_reopened")
-        assert panel.run is None and len(panel.playback.events.events) == len(panel.obj.Events) > 1 and verdict in panel.message.text()
+        assert (panel.run is None and len(panel.playback.events.events) == len(panel.obj.Events) > 1
+                and verdict in panel.message.text())
         button("Simulate").click()
         wait(lambda: panel.run is not None and panel.playback.shown > 0)
         assert panel.obj.Verdict == verdict
@@ -55,7 +56,8 @@ def test_a_reopened_document_shows_events_and_plays_when_asked(document, opened,
 
 
 def test_stop_ends_the_work_and_mistakes_are_told(document, opened, tmp_path):
-    long = HEAD + "".join(f"G1 X{x / 10} Y{y / 10} Z{-3 + 0.01 * (x % 50)} F900\n" for y in range(-120, 120, 2) for x in range(-120, 120, 1)) + "M2\n"
+    long = HEAD + "".join(f"G1 X{x / 10} Y{y / 10} Z{-3 + 0.01 * (x % 50)} F900\n" for y in range(-120, 120, 2)
+                          for x in range(-120, 120, 1)) + "M2\n"
     path = tmp_path / "long.ngc"
     path.write_text(long)
     FreeCADGui.runCommand("Fieldfab_SimulateProgram")
@@ -65,7 +67,8 @@ def test_stop_ends_the_work_and_mistakes_are_told(document, opened, tmp_path):
     assert "choose a program" in panel.message.text()
     form.program.line.setText(str(path))
     form.program.line.editingFinished.emit()
-    assert [box.value() for box in form.lower + form.upper] == pytest.approx([-17, -17, -8, 16.9, 16.8, 0])  # around the program
+    # The box around the program.
+    assert [box.value() for box in form.lower + form.upper] == pytest.approx([-17, -17, -8, 16.9, 16.8, 0])
     form.tools.item(0, 2).setText("wide")
     button("Simulate").click()
     assert "Diameter is a number" in panel.message.text()
@@ -97,7 +100,8 @@ def test_a_document_may_be_closed_while_it_plays(opened, tmp_path):
 
 
 def event(kind, line, amount, last=None):
-    return {"kind": kind, "line": line, "first_line": line, "last_line": last or line, "amount": amount, "message": f"{kind} of {amount}", "place": [0, 0, 0]}
+    return {"kind": kind, "line": line, "first_line": line, "last_line": last or line, "amount": amount,
+            "message": f"{kind} of {amount}", "place": [0, 0, 0]}
 
 
 def rows(item):
@@ -110,11 +114,13 @@ def test_events_are_grouped_sorted_by_any_column_and_all_there(document, opened)
     events = opened[-1].playback.events
     opened[-1].tabs.setCurrentIndex(1)
     opened[-1]._allow(True)
-    events.set_events([event("gouge", 40, -0.2), event("gouge", 7, -0.9, 12), event("rapid contact", 9, 3), event("gouge", 100, -0.5)])
+    events.set_events([event("gouge", 40, -0.2), event("gouge", 7, -0.9, 12), event("rapid contact", 9, 3),
+                       event("gouge", 100, -0.5)])
     assert [events.topLevelItem(i).text(0) for i in range(2)] == ["rapid contact", "gouge: 3"], "the worst kind first"
     rapid, gouges = events.topLevelItem(0), events.topLevelItem(1)
     assert rapid.childCount() == 0 and (rapid.text(1), rapid.text(2)) == ("9", "3 mm\u00b3")
-    assert rows(gouges) == [("7\u201312", "-0.9 mm"), ("100", "-0.5 mm"), ("40", "-0.2 mm")], "a pass is one event with its range of lines"
+    assert rows(gouges) == [("7\u201312", "-0.9 mm"), ("100", "-0.5 mm"),
+                            ("40", "-0.2 mm")], "a pass is one event with its range of lines"
     live(0.2)
     window.shot("events")
     head = events.header()
@@ -144,7 +150,8 @@ def test_events_are_grouped_sorted_by_any_column_and_all_there(document, opened)
 
 def test_a_program_is_read_as_its_dialect_says(document, opened, tmp_path):
     path = tmp_path / "fanuc.ngc"
-    path.write_text("%\nO1000 (PART)\nG21 G90 G17\nG0 G80 G40 G49\nT1 M6\nS5000 M3\nG0 X-10 Y0 Z5\nG1 Z-1 F300\nX10 F900\nG0 Z5\nM30\n%\n")
+    path.write_text("%\nO1000 (PART)\nG21 G90 G17\nG0 G80 G40 G49\nT1 M6\nS5000 M3\nG0 X-10 Y0 Z5\nG1 Z-1 F300\n"
+                    "X10 F900\nG0 Z5\nM30\n%\n")
     FreeCADGui.runCommand("Fieldfab_SimulateProgram")
     live(0.3)
     panel, form = opened[-1], opened[-1].setup

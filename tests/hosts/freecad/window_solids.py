@@ -33,7 +33,8 @@ def test_a_difference_of_what_is_selected_is_one_step(document):
     live(0.3)
     made = document.Objects[-1]
     assert made.Operation == "Difference" and made.Sources == [a, b] and made.isValid()
-    assert not a.ViewObject.Visibility and not b.ViewObject.Visibility and made.ViewObject.Proxy.claimChildren() == [a, b]
+    assert (not a.ViewObject.Visibility and not b.ViewObject.Visibility
+            and made.ViewObject.Proxy.claimChildren() == [a, b])
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     window.shot("difference")
@@ -59,7 +60,8 @@ def test_the_panel_follows_the_operation(document):
     FreeCADGui.runCommand("Fieldfab_Shell")
     live(0.3)
     made = document.Objects[-1]
-    form = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QComboBox) if w.isVisible() and w.findText("Polar array") >= 0][0]
+    form = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QComboBox)
+            if w.isVisible() and w.findText("Polar array") >= 0][0]
     form.setCurrentText("Polar array")
     form.activated.emit(form.currentIndex())
     live(0.3)

@@ -20,7 +20,8 @@ def shown(panel):
     """The name of the first tool in the table, in the tree, and in the operation."""
     tree = FreeCADGui.getMainWindow().findChild(QtWidgets.QTreeWidget)
     tool = panel.obj.Tools[0]
-    [item] = [item for item in tree.findItems("*", window.QtCore.Qt.MatchWildcard | window.QtCore.Qt.MatchRecursive) if item.text(0) == tool.Label]
+    [item] = [item for item in tree.findItems("*", window.QtCore.Qt.MatchWildcard | window.QtCore.Qt.MatchRecursive)
+              if item.text(0) == tool.Label]
     return {panel.tools.table.item(0, 1).text(), item.text(0), panel.operation_form.tool.itemText(0).split(": ", 1)[1]}
 
 

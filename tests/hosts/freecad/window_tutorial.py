@@ -1,4 +1,5 @@
-"""Runs inside FreeCAD's window: does what docs/tutorial.md says, step by step, types what its boxes say, and makes its pictures."""
+"""Runs inside FreeCAD's window: follows docs/tutorial.md step by step, types what its boxes say, and takes its
+pictures."""
 
 import pathlib
 import re
@@ -20,10 +21,12 @@ WIDTH = 430  # of the panel, pixels
 
 
 def step(number):
-    """What the boxes say under a heading of the tutorial, in order: a formula's text, the columns of a tool, or names and values."""
+    """Contents of the boxes under a heading of the tutorial, in order: a formula's text, the columns of a tool, or
+    names and values."""
     [words] = re.findall(rf"^## {number}\. .*?(?=^## |\Z)", TUTORIAL, re.M | re.S)
     boxes = re.findall(r"^```(\w+)\n(.*?)^```", words, re.M | re.S)
-    return [text if kind == "frep" else text.strip().split(", ") if kind == "tool" else [tuple(line.split(" = ")) for line in text.splitlines()]
+    return [text if kind == "frep" else text.strip().split(", ") if kind == "tool"
+            else [tuple(line.split(" = ")) for line in text.splitlines()]
             for kind, text in boxes]
 
 
@@ -56,7 +59,8 @@ class Desk:
         """Presses a button of a toolbar; it must be one that can be pressed."""
         words = FreeCADGui.Command.get(name).getInfo()["menuText"]
         FreeCADGui.updateGui()
-        [action] = {a.text(): a for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar) if bar.isVisible()
+        [action] = {a.text(): a for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar)
+                    if bar.isVisible()
                     for a in bar.actions() if a.text().replace("&", "") == words}.values()
         wait(action.isEnabled, 5, f"{words} to be of use")
         action.trigger()
@@ -80,7 +84,8 @@ class Desk:
         """Types values into the rows of the panel that have these names."""
         for name, value in values:
             field = self.field(name)
-            boxes = [w for w in [field, *field.findChildren(QtWidgets.QWidget)] if isinstance(w, (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox))]
+            boxes = [w for w in [field, *field.findChildren(QtWidgets.QWidget)]
+                     if isinstance(w, (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox))]
             lines = [w for w in [field, *field.findChildren(QtWidgets.QLineEdit)] if isinstance(w, QtWidgets.QLineEdit)]
             if boxes:
                 parts = value.split(", ") if len(boxes) > 1 else [value]
@@ -108,7 +113,8 @@ class Desk:
 
     def field(self, name):
         """The editor beside a label that is seen."""
-        labels = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel) if w.isVisible() and w.text() == name]
+        labels = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel)
+                  if w.isVisible() and w.text() == name]
         assert len(labels) == 1, f"{len(labels)} rows {name!r}"
         [label] = labels
         for form in FreeCADGui.getMainWindow().findChildren(QtWidgets.QFormLayout):
@@ -119,17 +125,20 @@ class Desk:
         return line.itemAt(line.indexOf(label) + 1).widget()
 
     def tick(self, words):
-        [box] = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QCheckBox) if b.isVisible() and b.text() == words]
+        [box] = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QCheckBox)
+                 if b.isVisible() and b.text() == words]
         box.click()
 
     def click(self, words):
-        [button] = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QPushButton) if b.isVisible() and b.text() == words]
+        [button] = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QPushButton)
+                    if b.isVisible() and b.text() == words]
         button.click()
         live(0.2)
 
     def open(self, title):
         """Opens one of the boxes of a stack."""
-        [button] = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolButton) if b.isVisible() and b.isCheckable() and b.text() == title]
+        [button] = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolButton)
+                    if b.isVisible() and b.isCheckable() and b.text() == title]
         if not button.isChecked():
             button.click()
         live(0.1)
@@ -171,7 +180,8 @@ def make_bracket(desk, document):
     desk.look()
     window.shot("bracket")
     press(Button.Ok)
-    assert bracket.isValid() and bracket.thick == 5 and bracket.Volume.Value == pytest.approx(50 * 40 * 5 - 4 * 3.14159 * 2.25**2 * 5 - (4 - 3.14159) * 64 * 5, rel=0.01)
+    assert (bracket.isValid() and bracket.thick == 5 and bracket.Volume.Value
+            == pytest.approx(50 * 40 * 5 - 4 * 3.14159 * 2.25**2 * 5 - (4 - 3.14159) * 64 * 5, rel=0.01))
     return bracket
 
 
@@ -198,7 +208,8 @@ def import_head(desk, document, bracket):
     desk.fill(placing)
     press(Button.Ok)
     head = document.Objects[-1]
-    assert head.isValid() and head.Mesh.BoundBox.ZLength == pytest.approx(23.5, abs=1) and head.Mesh.BoundBox.ZMin == pytest.approx(4, abs=1)
+    assert (head.isValid() and head.Mesh.BoundBox.ZLength == pytest.approx(23.5, abs=1)
+            and head.Mesh.BoundBox.ZMin == pytest.approx(4, abs=1))
     return head
 
 
@@ -271,13 +282,15 @@ def simulate(desk, bust, program):
     desk.fill(values)
     program.ViewObject.Visibility = bust.ViewObject.Visibility = False
     desk.click("Simulate")
-    wait(lambda: panel.task is None and panel.run is not None and panel.playback.player.idle and panel.playback.shown > 0, 600, "the simulation")
+    wait(lambda: panel.task is None and panel.run is not None and panel.playback.player.idle
+         and panel.playback.shown > 0, 600, "the simulation")
     playback = panel.playback
     desk.tick("Tool")
     desk.tick("Shank and holder")
     desk.look()
     window.shot("deviations")
-    assert playback.legend.isVisible() and (simulation.Contacts, simulation.Gouges, simulation.OverTravels) == (0, 0, 0), "\n".join(simulation.Events)
+    assert playback.legend.isVisible() and (simulation.Contacts, simulation.Gouges,
+                                            simulation.OverTravels) == (0, 0, 0), ("\n".join(simulation.Events))
     desk.tick("Tool")
     desk.tick("Shank and holder")
     playback.slider.setValue(playback.slider.maximum() * 7 // 10)
@@ -292,7 +305,8 @@ def write_program(desk, program, path):
     desk.choose(program)
     desk.command("Fieldfab_WriteMachineFile")
     live(0.3)
-    [preview] = [widget for widget in QtWidgets.QApplication.topLevelWidgets() if isinstance(widget, ProgramPreview) and widget.isVisible()]
+    [preview] = [widget for widget in QtWidgets.QApplication.topLevelWidgets()
+                 if isinstance(widget, ProgramPreview) and widget.isVisible()]
     preview.findChild(Button).button(Button.Save).click()
     written = path.read_text()
     assert written.startswith("%") and re.search(r"^G1 .*A-?[\d.]+ C-?[\d.]+", written, re.M), "all five axes move"

@@ -44,7 +44,8 @@ def texts(form):
         elif isinstance(widget, (QtWidgets.QTableWidget, QtWidgets.QTreeWidget)):
             model = widget.model()
             yield from (str(model.headerData(column, QtCore.Qt.Horizontal)) for column in range(model.columnCount()))
-            yield from (str(model.index(row, column).data()) for row in range(model.rowCount()) for column in range(model.columnCount()))
+            yield from (str(model.index(row, column).data()) for row in range(model.rowCount())
+                        for column in range(model.columnCount()))
 
 
 def metric(form):
@@ -98,7 +99,8 @@ def test_a_job_in_inches(document, panels):  # noqa: F811
     assert tool.Label == "5 mm end mill", "the name in inches was its own, too"
     FreeCAD.Units.setSchema(US_CUSTOMARY)
     tool.Diameter = 6.35
-    [feed] = [box for box in panel.form.findChildren(MeasureBox) if box.unit == "mm/min" and "plunge" not in box.toolTip().lower()][:1]
+    [feed] = [box for box in panel.form.findChildren(MeasureBox)
+              if box.unit == "mm/min" and "plunge" not in box.toolTip().lower()][:1]
     feed.setValue(254)
     assert feed.text() == "10 in/min" and tool.Feed.Value * 60 == pytest.approx(254)
     rows = panel.operation_form.rows
@@ -126,10 +128,12 @@ def test_a_simulation_and_its_legend_in_inches(document, opened, tmp_path):  # n
     wait(lambda: panel.playback.player.idle)
     live(0.2)
     assert f"{-12 / 25.4:.4f}" in panel.playback.axes["X"].text()
-    assert not [text for text in drawn(panel.playback.legend) if "mm" in text] and "deviation, in" in drawn(panel.playback.legend)
+    assert (not [text for text in drawn(panel.playback.legend) if "mm" in text]
+            and "deviation, in" in drawn(panel.playback.legend))
     tool, obj = panel.setup._tool(0), panel.obj
     panel.setup.write()
-    assert tool["diameter"] == 6 and tuple(obj.StockUpper) == (25, 20, 0) and obj.Cell.Value == 0.2, "the same as before"
+    assert tool["diameter"] == 6 and tuple(obj.StockUpper) == (25, 20, 0) and obj.Cell.Value == 0.2, (
+        "the same as before")
     panel.setup.tools.item(0, 2).setText("0.5 in")
     assert panel.setup._tool(0)["diameter"] == 12.7
     window.shot("inches_simulation")
@@ -171,6 +175,8 @@ def test_a_scan_in_inches(document, panels):  # noqa: F811
 
 
 def test_texts_of_the_kernel():
-    assert units.in_words("24 x 12 mm and 0.5 mm3 at (1.000, -2.5, 3), 600 mm/min, 2 mountains") == "0.94 x 0.47 in and 3.051e-05 in³ at (0.03937, -0.098, 0.12), 23.62 in/min, 2 mountains"
+    assert (units.in_words("24 x 12 mm and 0.5 mm3 at (1.000, -2.5, 3), 600 mm/min, 2 mountains")
+            == "0.94 x 0.47 in and 3.051e-05 in³ at (0.03937, -0.098, 0.12), 23.62 in/min, 2 mountains")
     FreeCAD.Units.setSchema(INTERNAL)
-    assert units.in_words("24 x 12 mm at (1, 2, 3)") == "24 x 12 mm at (1, 2, 3)" and units.told(24000, "mm/min") == "24000 mm/min"
+    assert (units.in_words("24 x 12 mm at (1, 2, 3)") == "24 x 12 mm at (1, 2, 3)"
+            and units.told(24000, "mm/min") == "24000 mm/min")

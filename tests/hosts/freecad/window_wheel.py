@@ -66,7 +66,8 @@ def test_the_wheel_changes_nothing_on_its_way(kind, document, panels):  # noqa: 
             box.click()  # closed parts of the panel
     live(0.3)
     form.setFocus()
-    before = {widget: held(widget) for widget in form.findChildren(QtWidgets.QWidget) if isinstance(widget, INPUTS) and widget.isVisible()}
+    before = {widget: held(widget) for widget in form.findChildren(QtWidgets.QWidget)
+              if isinstance(widget, INPUTS) and widget.isVisible()}
     assert before
     tried = 0
     for notches in (-2, 2):
@@ -98,7 +99,8 @@ def test_the_panel_scrolls_instead_and_what_has_the_focus_takes_the_wheel(docume
     live(0.1)
     click(zero)
     live(0.2)
-    click(zero.view().viewport(), zero.view().visualRect(zero.model().index(0, 0)).center())  # chooses what is chosen already
+    # Chooses what is chosen already.
+    click(zero.view().viewport(), zero.view().visualRect(zero.model().index(0, 0)).center())
     live(0.2)
     turn_wheel(zero, -1)
     assert setup.Zero == "corner" and zero.hasFocus()

@@ -23,7 +23,8 @@ def german(document):  # noqa: F811
 
 
 def seen(kind, text):
-    return [widget for widget in FreeCADGui.getMainWindow().findChildren(kind) if widget.isVisible() and widget.text() == text]
+    return [widget for widget in FreeCADGui.getMainWindow().findChildren(kind)
+            if widget.isVisible() and widget.text() == text]
 
 
 def action_of(command):
@@ -34,10 +35,12 @@ def test_menus_tools_and_tips_are_german(german):
     menus = FreeCADGui.getMainWindow().menuBar().findChildren(QtWidgets.QMenu)
     [menu] = [menu for menu in menus if menu.title() == "Fieldfab"]
     texts = [action.text() for each in (menu, *menu.findChildren(QtWidgets.QMenu)) for action in each.actions()]
-    for text in ("Neuer F-Rep-Körper", "Vereinigung", "Gitterfüllung", "Neuer CAM-Job", "Beispiele", "Prüfen und austauschen", "Auf der Startseite zeigen"):
+    for text in ("Neuer F-Rep-Körper", "Vereinigung", "Gitterfüllung", "Neuer CAM-Job", "Beispiele",
+                 "Prüfen und austauschen", "Auf der Startseite zeigen"):
         assert text in texts
     union = action_of("Fieldfab_Union")
-    assert "Die ausgewählten Körper vereinigen" in union.toolTip() and union.statusTip() == "Die ausgewählten Körper vereinigen"
+    assert ("Die ausgewählten Körper vereinigen" in union.toolTip()
+            and union.statusTip() == "Die ausgewählten Körper vereinigen")
     assert "Macht einen Körper aus zweien oder mehr" in union.whatsThis()
     assert solids.COMMANDS["Fieldfab_Union"].title == "Vereinigung"
     bars = {bar.windowTitle() for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar) if bar.isVisible()}
@@ -76,7 +79,8 @@ def test_choices_of_a_property_panel_are_german(german, panels):  # noqa: F811
     german.recompute()
     edit(made)
     panel = panels[-1]
-    labels = [panel.rows.labelForField(panel.rows.itemAt(row, panel.rows.FieldRole).widget()).text() for row in range(panel.rows.rowCount())]
+    labels = [panel.rows.labelForField(panel.rows.itemAt(row, panel.rows.FieldRole).widget()).text()
+              for row in range(panel.rows.rowCount())]
     assert labels[0] == "Operation" and "Ausgangskörper" in labels
     box = panel.rows.itemAt(0, panel.rows.FieldRole).widget()
     assert box.currentText() == "Vereinigung" and box.currentData() == "Union"
@@ -112,12 +116,15 @@ def test_the_property_editor_is_german(german):
 
 def test_whats_this_is_shown(document):  # noqa: F811
     """As by Shift+F1 and a click on a tool."""
-    [button] = [bar.widgetForAction(action_of("Fieldfab_Union")) for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar)
+    [button] = [bar.widgetForAction(action_of("Fieldfab_Union"))
+                for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar)
                 if bar.widgetForAction(action_of("Fieldfab_Union"))]
     middle = button.rect().center()
-    QtWidgets.QApplication.sendEvent(button, QtGui.QHelpEvent(QtCore.QEvent.WhatsThis, middle, button.mapToGlobal(middle)))
+    QtWidgets.QApplication.sendEvent(button,
+                                     QtGui.QHelpEvent(QtCore.QEvent.WhatsThis, middle, button.mapToGlobal(middle)))
     live(0.3)
-    boxes = [widget for widget in QtWidgets.QApplication.topLevelWidgets() if widget.metaObject().className() == "QWhatsThat" and widget.isVisible()]
+    boxes = [widget for widget in QtWidgets.QApplication.topLevelWidgets()
+             if widget.metaObject().className() == "QWhatsThat" and widget.isVisible()]
     shot("whats_this")
     QtWidgets.QWhatsThis.hideText()
     assert len(boxes) == 1

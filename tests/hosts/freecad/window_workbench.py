@@ -33,7 +33,8 @@ def test_every_command_has_an_icon_a_name_and_help():
             assert os.path.isfile(told["pixmap"]), told["pixmap"]
             assert re.match(r"[A-Z]", told["menuText"]) and not told["toolTip"].endswith("."), name
             assert told["statusTip"] == told["toolTip"], name
-            assert told["whatsThis"].endswith(".") and 1 <= len(re.findall(r"\.(?= [A-Z]|$)", told["whatsThis"])) <= 3 and len(told["whatsThis"]) > 60, name
+            assert (told["whatsThis"].endswith(".") and 1 <= len(re.findall(r"\.(?= [A-Z]|$)", told["whatsThis"])) <= 3
+                    and len(told["whatsThis"]) > 60), name
     bars = {bar.windowTitle() for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar) if bar.isVisible()}
     assert set(titles) <= bars
 
@@ -63,7 +64,8 @@ def test_objects_find_their_view_and_panel_by_their_kind():
         assert type(union.ViewObject.Proxy) is solid_view.SolidView
         assert type(shape.ViewObject.Proxy) is part_shape_view.PartShapeView
         program = machine_program.create(tool.InList[0])
-        expected = [(tool, SetupPanel, tool.InList[0]), (program, SetupPanel, tool.InList[0]), (union, PropertyPanel, union)]
+        expected = [(tool, SetupPanel, tool.InList[0]), (program, SetupPanel, tool.InList[0]),
+                    (union, PropertyPanel, union)]
         program_alone = document_object.create_object(machine_program.MachineProgram, document, "Program")
         expected += [(alone, PropertyPanel, alone), (program_alone, PropertyPanel, program_alone)]
         for obj, kind, edited in expected:

@@ -1,4 +1,5 @@
-"""Run by freecadcmd: the f-rep solid without a window. Writes what it saw, as JSON, to the file named by FIELDFAB_RESULT."""
+"""Run by freecadcmd: the f-rep solid without a window. Writes its results, as JSON, to the file named by
+FIELDFAB_RESULT."""
 
 import json
 import os

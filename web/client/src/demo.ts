@@ -1,5 +1,5 @@
-// The demo's page of static files, which works from a disk as well: browsers load no .glb from there, but scripts, so that each model is
-// a script too, which hands it over as text.
+// The demo's page of static files. It works from a disk as well: browsers load no .glb from there, but they load
+// scripts. So each model is a script, too, which hands the model over as text.
 import { readGlb, Scene } from "./scene";
 
 const waiting = new Map<string, (data: string) => void>();
@@ -8,12 +8,15 @@ Object.assign(window, { fieldfabModel: (name: string, data: string) => waiting.g
 function modelOf(name: string): Promise<ArrayBuffer> {
   return new Promise((resolve, reject) => {
     waiting.set(name, (data) => resolve(Uint8Array.from(atob(data), (each) => each.charCodeAt(0)).buffer));
-    document.head.append(Object.assign(document.createElement("script"), { src: `${name}.glb.js`, onerror: () => reject(new Error(`${name}.glb.js is missing`)) }));
+    document.head.append(Object.assign(document.createElement("script"),
+      { src: `${name}.glb.js`, onerror: () => reject(new Error(`${name}.glb.js is missing`)) }));
   });
 }
 
 async function show(figure: HTMLElement): Promise<void> {
-  const host = figure.querySelector<HTMLElement>(".scene")!, { model, colour } = figure.dataset, picture = [...host.children];
+  const host = figure.querySelector<HTMLElement>(".scene")!;
+  const { model, colour } = figure.dataset;
+  const picture = [...host.children];
   try {
     const scene = new Scene(host);
     scene.model.add(await readGlb(await modelOf(model!), colour));
@@ -37,7 +40,10 @@ const seen = new IntersectionObserver((entries) => {
 for (const figure of document.querySelectorAll("figure[data-model]")) seen.observe(figure);
 
 for (const film of document.querySelectorAll<HTMLElement>("figure[data-film]")) {
-  const image = film.querySelector("img")!, bar = film.querySelector("input")!, button = film.querySelector("button")!, last = Number(bar.max);
+  const image = film.querySelector("img")!;
+  const bar = film.querySelector("input")!;
+  const button = film.querySelector("button")!;
+  const last = Number(bar.max);
   const address = (i: number): string => `${film.dataset.film}/frame_${String(i).padStart(4, "0")}.png`;
   let timer = 0;
   const stop = (): void => { clearInterval(timer); timer = 0; button.textContent = "Play"; };

@@ -27,10 +27,12 @@ export function pressed(button: HTMLElement, on: boolean): void {
 }
 
 /** A number with a slider and a box. `changed` is called while it slides, `settled` when it is let go. */
-export function slider(name: string, now: number, range: [number, number], hint: string, changed: (value: number) => void, settled: () => void): HTMLElement {
+export function slider(name: string, now: number, range: [number, number], hint: string,
+    changed: (value: number) => void, settled: () => void): HTMLElement {
   const low = Math.min(range[0], now), high = Math.max(range[1], now, low + 1e-6);
   const digits = Math.max(0, 2 - Math.floor(Math.log10(high - low)));
-  const bar = element("input", { type: "range", min: String(low), max: String(high), step: String(10 ** -digits), value: String(now), ariaLabel: name, title: hint });
+  const bar = element("input", { type: "range", min: String(low), max: String(high), step: String(10 ** -digits),
+    value: String(now), ariaLabel: name, title: hint });
   const box = element("input", { type: "number", step: "any", value: String(now), ariaLabel: `${name}, a number` });
   const take = (text: string): void => {
     const value = Number(text);

@@ -1,4 +1,5 @@
-// The Machine view: the workflow as stacked panels (Keeter 6), made from fieldfab.cam's own tables; what is planned and simulated is shown in 3D.
+// The Machine view: the workflow as stacked panels (Keeter 6), made from fieldfab.cam's own tables. Plans and
+// simulations are shown in 3D.
 import { by, element, short } from "./elements";
 import { ask, post, Refusal } from "./server";
 import type { Playback } from "./playback";
@@ -7,36 +8,58 @@ import { Store } from "./store";
 type Value = number | string | boolean;
 type Values = Record<string, Value>;
 interface Setting {
-  name: string; help: string; unit: string; kind: "flag" | "number" | "text" | "list"; default: Value | null; lower: number | null; upper: number | null; whole: boolean;
+  name: string; help: string; unit: string; kind: "flag" | "number" | "text" | "list"; default: Value | null;
+  lower: number | null; upper: number | null; whole: boolean;
   choices: string[]; needs: string; needs_values: string[];
 }
-interface Machine { id: string; name: string; description: string; takes: string; settings: Setting[]; materials: Record<string, unknown> }
+interface Machine {
+  id: string; name: string; description: string; takes: string; settings: Setting[]; materials: Record<string, unknown>
+}
 interface Operation { name: string; help: string; settings: Setting[] }
 interface Tables { machines: Machine[]; operations: Operation[]; joining: Setting[] }
-interface JobText { format: "fieldfab job"; version: 1; machine: string; material: string; setting: Values; zero: string; stock: Values; tools: Values[]; operations: Values[] }
+interface JobText {
+  format: "fieldfab job"; version: 1; machine: string; material: string; setting: Values; zero: string; stock: Values;
+  tools: Values[]; operations: Values[]
+}
 interface Told {
-  program: string; notes: string[]; seconds: number; stock: number[]; reports: { name: string; cut: number; rapid: number; seconds: number }[];
+  program: string; notes: string[]; seconds: number; stock: number[];
+  reports: { name: string; cut: number; rapid: number; seconds: number }[];
   good?: boolean; events?: { kind: string; line: number; amount: number }[]; removed?: number; simulated?: number;
 }
-interface Job { job: string; state: string; progress: number; message: string; error: { message: string } | null; result: Told | null }
+interface Job {
+  job: string; state: string; progress: number; message: string; error: { message: string } | null; result: Told | null
+}
 
 const number = (name: string, help: string, unit = "mm", standard: number | null = null): Setting =>
-  ({ name, help, unit, kind: "number", default: standard, lower: 0, upper: null, whole: false, choices: [], needs: "", needs_values: [] });
-const choice = (name: string, help: string, choices: string[]): Setting => ({ ...number(name, help, ""), kind: "text", default: choices[0], choices });
+  ({ name, help, unit, kind: "number", default: standard, lower: 0, upper: null, whole: false, choices: [], needs: "",
+    needs_values: [] });
+const choice = (name: string, help: string, choices: string[]): Setting =>
+  ({ ...number(name, help, ""), kind: "text", default: choices[0], choices });
 const TOOL: Setting[] = [
-  choice("shape", "of the cutting part", ["flat", "ball", "bull", "v", "tapered", "drill"]), number("diameter", "of the cutting part"), { ...number("corner_radius", "of a bull nose"), needs: "shape", needs_values: ["bull"] },
-  { ...number("angle", "of the tip", "degrees"), needs: "shape", needs_values: ["v", "tapered", "drill"] }, { ...number("tip_diameter", "of a blunt tip"), needs: "shape", needs_values: ["v", "tapered"] },
-  number("flute", "length that cuts"), number("length", "from the tip to the holder"), number("shank", "diameter of the shank"), number("holder_diameter", "of the holder"), number("holder_length", "of the holder"),
+  choice("shape", "of the cutting part", ["flat", "ball", "bull", "v", "tapered", "drill"]),
+  number("diameter", "of the cutting part"),
+  { ...number("corner_radius", "of a bull nose"), needs: "shape", needs_values: ["bull"] },
+  { ...number("angle", "of the tip", "degrees"), needs: "shape", needs_values: ["v", "tapered", "drill"] },
+  { ...number("tip_diameter", "of a blunt tip"), needs: "shape", needs_values: ["v", "tapered"] },
+  number("flute", "length that cuts"), number("length", "from the tip to the holder"),
+  number("shank", "diameter of the shank"), number("holder_diameter", "of the holder"),
+  number("holder_length", "of the holder"),
 ];
-const STOCK: Setting[] = [number("margin", "about the part", "mm", 0), number("top", "above the part", "mm", 0), number("thickness", "of a flat part")];
-const ZERO = choice("zero", "where the program's zero is: as the model has it, or at the corner or the centre of its top", ["model", "corner", "centre"]);
+const STOCK: Setting[] = [number("margin", "about the part", "mm", 0), number("top", "above the part", "mm", 0),
+  number("thickness", "of a flat part")];
+const ZERO = choice("zero",
+  "where the program's zero is: as the model has it, or at the corner or the centre of its top",
+  ["model", "corner", "centre"]);
 
 /** A job to begin with. `sampled`: of a scan or a mesh, which a lattice as fine as its samples does justice. */
 function fresh(flat: boolean, sampled: boolean): JobText {
   const lattice: Values = sampled ? { cell: 0.5, surface_tolerance: 0.1, tolerance: 0.1 } : {};
   return {
-    format: "fieldfab job", version: 1, machine: "linuxcnc", material: "", setting: {}, zero: "corner", stock: flat ? { margin: 5, thickness: 3 } : { margin: 2, top: 1 },
-    tools: [{ number: 1, shape: "flat", diameter: flat ? 3 : 6, flute: 20, length: 40 }], operations: flat ? [{ type: "profile", tool: 1 }] : [{ type: "rough", tool: 1, ...lattice }, { type: "finish", tool: 1, stepover: 0.3, ...lattice }],
+    format: "fieldfab job", version: 1, machine: "linuxcnc", material: "", setting: {}, zero: "corner",
+    stock: flat ? { margin: 5, thickness: 3 } : { margin: 2, top: 1 },
+    tools: [{ number: 1, shape: "flat", diameter: flat ? 3 : 6, flute: 20, length: 40 }],
+    operations: flat ? [{ type: "profile", tool: 1 }]
+      : [{ type: "rough", tool: 1, ...lattice }, { type: "finish", tool: 1, stepover: 0.3, ...lattice }],
   };
 }
 
@@ -58,9 +81,12 @@ export class MachineView {
   constructor() {
     by("plan").onclick = () => void this.run(false);
     by("simulate").onclick = () => void this.run(true);
-    by("stop-job").onclick = () => { if (this.running) void ask(`/api/jobs/${this.running.job}`, { method: "DELETE" }).catch(() => {}); };
+    by("stop-job").onclick = () => {
+      if (this.running) void ask(`/api/jobs/${this.running.job}`, { method: "DELETE" }).catch(() => {});
+    };
     this.store.onState = (state, message) => {
-      const said = { saved: "", saving: "", away: "The job is kept in this browser", conflict: "The job was changed elsewhere", refused: `The job is not saved: ${message}`, none: "" }[state];
+      const said = { saved: "", saving: "", away: "The job is kept in this browser",
+        conflict: "The job was changed elsewhere", refused: `The job is not saved: ${message}`, none: "" }[state];
       by("job-state").textContent = said;
       if (state === "conflict") this.store.overwrite();
     };
@@ -79,10 +105,12 @@ export class MachineView {
     try {
       this.tables ??= await (await ask("/api/machining")).json();
       const { documents } = await (await ask("/api/documents")).json();
-      const text = documents.some((each: { name: string }) => each.name === name) ? await this.store.open(name) : await this.store.begin(name);
+      const text = documents.some((each: { name: string }) => each.name === name) ? await this.store.open(name)
+        : await this.store.begin(name);
       if (this.name !== name) return;
       const given = text ? JSON.parse(text) : null;
-      if (given && (given.format !== "fieldfab job" || given.version !== 1)) throw new Error(`${name} is of another version; it is left as it is`);
+      if (given && (given.format !== "fieldfab job" || given.version !== 1))
+        throw new Error(`${name} is of another version; it is left as it is`);
       this.job = { ...fresh(this.flat, /\bopen\s*\(/.test(model?.text ?? "")), ...given };
       this.draw();
     } catch (error) {
@@ -98,7 +126,8 @@ export class MachineView {
   // Panels
 
   private row(setting: Setting, values: Values, again: () => void): HTMLElement {
-    const label = setting.name[0].toUpperCase() + setting.name.slice(1).replaceAll("_", " "), now = values[setting.name];
+    const label = setting.name[0].toUpperCase() + setting.name.slice(1).replaceAll("_", " ");
+    const now = values[setting.name];
     const set = (value: Value | null): void => {
       if (value === null) delete values[setting.name];
       else values[setting.name] = value;
@@ -114,20 +143,27 @@ export class MachineView {
       const box = input = element("input", { type: "checkbox", checked: Boolean(now ?? setting.default) });
       box.onchange = () => set(box.checked);
     } else {
-      const box = input = element("input", { type: setting.kind === "number" ? "number" : "text", step: "any", placeholder: setting.default === null ? "auto" : String(setting.default), value: now === undefined ? "" : String(now) });
+      const box = input = element("input", {
+        type: setting.kind === "number" ? "number" : "text", step: "any",
+        placeholder: setting.default === null ? "auto" : String(setting.default),
+        value: now === undefined ? "" : String(now),
+      });
       if (setting.lower !== null) box.min = String(setting.lower);
       if (setting.upper !== null) box.max = String(setting.upper);
       box.onchange = () => set(box.value === "" ? null : setting.kind === "number" ? Number(box.value) : box.value);
     }
     input.dataset.setting = setting.name;
-    return element("label", { className: "setting", title: setting.help }, element("span", {}, label), input, element("small", {}, setting.unit));
+    return element("label", { className: "setting", title: setting.help }, element("span", {}, label), input,
+      element("small", {}, setting.unit));
   }
 
   /** `changed`: called after each change. */
   private rows(settings: Setting[], values: Values, changed = (): void => {}): HTMLElement {
     const host = element("div", { className: "settings" });
     const fill = (): void => {
-      const matters = settings.filter((each, i) => settings.findIndex((other) => other.name === each.name) === i && each.kind !== "list").filter((each) => {
+      const isFirst = (each: Setting, i: number): boolean =>
+        settings.findIndex((other) => other.name === each.name) === i;
+      const matters = settings.filter((each, i) => isFirst(each, i) && each.kind !== "list").filter((each) => {
         const needed = settings.find((other) => other.name === each.needs);
         if (!needed) return true;
         const value = values[needed.name] ?? needed.default;
@@ -155,11 +191,13 @@ export class MachineView {
   }
 
   /** A list of tables, each a panel of its own, that can be added to, ordered and shortened. */
-  private list(title: string, items: Values[], made: () => Values, panel: (item: Values, i: number) => HTMLElement): HTMLElement {
+  private list(title: string, items: Values[], made: () => Values,
+      panel: (item: Values, i: number) => HTMLElement): HTMLElement {
     const add = element("button", { ariaLabel: `Add to ${title.toLowerCase()}` }, "+");
     add.onclick = () => { items.push(made()); this.changed(); this.draw(); };
     const host = this.panel(title, true, ...items.map((item, i) => {
-      const shown = panel(item, i), buttons = ([["↑", "Earlier", -1], ["✕", "Remove", 0]] as const).map(([sign, words, way]) => {
+      const shown = panel(item, i);
+      const buttons = ([["↑", "Earlier", -1], ["✕", "Remove", 0]] as const).map(([sign, words, way]) => {
         const button = element("button", { ariaLabel: words, disabled: way < 0 && i === 0 }, sign);
         button.onclick = () => {
           items.splice(i, 1);
@@ -175,32 +213,50 @@ export class MachineView {
   }
 
   private draw(): void {
-    const { job } = this, { machines, operations, joining } = this.tables!, machine = machines.find((each) => each.id === job.machine) ?? machines[0];
-    const materials = Object.keys(machine.materials), toolName = (tool: Values): string => `${tool.number}: ${tool.diameter ?? ""} mm ${tool.shape ?? "flat"}`;
+    const { job } = this;
+    const { machines, operations, joining } = this.tables!;
+    const machine = machines.find((each) => each.id === job.machine) ?? machines[0];
+    const materials = Object.keys(machine.materials).map((each): [string, string] => [each, each]);
+    const chooseMaterial = (value: string): void => { job.material = value; };
+    const toolName = (tool: Values): string => `${tool.number}: ${tool.diameter ?? ""} mm ${tool.shape ?? "flat"}`;
     const main = this.panel("Machine", true,
-      this.choose("Machine", machines.map((each) => [each.id, each.name]), machine.id, (value) => { job.machine = value; job.material = ""; job.setting = {}; }),
+      this.choose("Machine", machines.map((each) => [each.id, each.name]), machine.id, (value) => {
+        job.machine = value;
+        job.material = "";
+        job.setting = {};
+      }),
       element("p", { className: "quiet" }, machine.description),
-      ...(materials.length ? [this.choose("Material", [["", "any"], ...materials.map((each): [string, string] => [each, each])], job.material, (value) => { job.material = value; })] : []),
+      ...(materials.length
+        ? [this.choose("Material", [["", "any"], ...materials], job.material, chooseMaterial)] : []),
       this.rows(machine.settings, job.setting));
     const stock = this.panel("Stock", true, this.rows([ZERO], job as unknown as Values), this.rows(STOCK, job.stock));
-    const tools = this.list("Tools", job.tools, () => ({ number: 1 + Math.max(0, ...job.tools.map((each) => Number(each.number))), shape: "flat", diameter: 6, flute: 20, length: 40 }),
+    const free = (): number => 1 + Math.max(0, ...job.tools.map((each) => Number(each.number)));
+    const tools = this.list("Tools", job.tools,
+      () => ({ number: free(), shape: "flat", diameter: 6, flute: 20, length: 40 }),
       (tool, i) => {
-        const shown: HTMLDetailsElement = this.panel(toolName(tool), i === 0, this.rows(TOOL, tool, () => { shown.firstElementChild!.firstChild!.textContent = toolName(tool); }));
+        const shown: HTMLDetailsElement = this.panel(toolName(tool), i === 0,
+          this.rows(TOOL, tool, () => { shown.firstElementChild!.firstChild!.textContent = toolName(tool); }));
         return shown;
       });
-    const cuts = this.list("Operations", job.operations, () => ({ type: "finish", tool: Number(job.tools[0]?.number ?? 1) }), (operation, i) => {
-      const of = operations.find((each) => each.name === operation.type) ?? operations[0];
-      return this.panel(`${i + 1}. ${of.name.replaceAll("_", " ")}`, i === 0,
-        this.choose("Type", operations.map((each) => [each.name, each.name.replaceAll("_", " ")]), of.name, (value) => {
-          for (const key of Object.keys(operation)) if (key !== "tool") delete operation[key];
-          operation.type = value;
-        }),
-        this.choose("Tool", job.tools.map((each) => [String(each.number), toolName(each)]), String(operation.tool), (value) => { operation.tool = Number(value); }),
-        element("p", { className: "quiet" }, of.help), this.rows([...of.settings, ...joining], operation));
-    });
-    const opened = [...by("panels").querySelectorAll<HTMLDetailsElement>("details")].map((each) => [each.firstElementChild!.firstChild!.textContent, each.open] as const);
-    by("panels").replaceChildren(main, stock, tools, ...(["paths", "flat paths"].includes(machine.takes) ? [cuts] : []));
-    for (const each of by("panels").querySelectorAll<HTMLDetailsElement>("details")) each.open = opened.find(([title]) => title === each.firstElementChild!.firstChild!.textContent)?.[1] ?? each.open;
+    const cuts = this.list("Operations", job.operations,
+      () => ({ type: "finish", tool: Number(job.tools[0]?.number ?? 1) }), (operation, i) => {
+        const of = operations.find((each) => each.name === operation.type) ?? operations[0];
+        return this.panel(`${i + 1}. ${of.name.replaceAll("_", " ")}`, i === 0,
+          this.choose("Type", operations.map((each) => [each.name, each.name.replaceAll("_", " ")]), of.name,
+            (value) => {
+              for (const key of Object.keys(operation)) if (key !== "tool") delete operation[key];
+              operation.type = value;
+            }),
+          this.choose("Tool", job.tools.map((each) => [String(each.number), toolName(each)]), String(operation.tool),
+            (value) => { operation.tool = Number(value); }),
+          element("p", { className: "quiet" }, of.help), this.rows([...of.settings, ...joining], operation));
+      });
+    const opened = [...by("panels").querySelectorAll<HTMLDetailsElement>("details")].map(
+      (each) => [each.firstElementChild!.firstChild!.textContent, each.open] as const);
+    by("panels").replaceChildren(main, stock, tools,
+      ...(["paths", "flat paths"].includes(machine.takes) ? [cuts] : []));
+    for (const each of by("panels").querySelectorAll<HTMLDetailsElement>("details"))
+      each.open = opened.find(([title]) => title === each.firstElementChild!.firstChild!.textContent)?.[1] ?? each.open;
   }
 
   // Planning and simulation
@@ -214,22 +270,27 @@ export class MachineView {
     if (!this.model || this.running) return;
     this.tell("");
     by("job-result").replaceChildren();
-    const buttons = [by<HTMLButtonElement>("plan"), by<HTMLButtonElement>("simulate")], bar = by<HTMLProgressElement>("job-progress");
+    const buttons = [by<HTMLButtonElement>("plan"), by<HTMLButtonElement>("simulate")];
+    const bar = by<HTMLProgressElement>("job-progress");
     for (const each of buttons) each.disabled = true;
     by("job-running").hidden = false;
     try {
       const { format: _, version: __, ...job } = this.job;
-      const takesPaths = ["paths", "flat paths"].includes(this.tables!.machines.find((each) => each.id === job.machine)!.takes);
-      this.running = await post<Job>("/api/machine", { ...this.model, job: takesPaths ? job : { ...job, operations: [] }, simulate });
+      const takesPaths = ["paths", "flat paths"].includes(
+        this.tables!.machines.find((each) => each.id === job.machine)!.takes);
+      this.running = await post<Job>("/api/machine",
+        { ...this.model, job: takesPaths ? job : { ...job, operations: [] }, simulate });
       while (this.running.state === "waiting" || this.running.state === "working") {
         bar.value = this.running.progress;
         by("job-doing").textContent = this.running.message || "waiting";
-        this.running = await (await ask(`/api/jobs/${this.running.job}?state=${this.running.state}&progress=${this.running.progress}`)).json() as Job;
+        this.running = await (await ask(
+          `/api/jobs/${this.running.job}?state=${this.running.state}&progress=${this.running.progress}`)).json() as Job;
       }
       if (this.running.state === "done") await this.show(this.running, simulate);
       else this.tell(this.running.error?.message ?? "It was stopped");
     } catch (error) {
-      this.tell(error instanceof Refusal ? error.message : error instanceof TypeError ? "The server is away" : String(error));
+      this.tell(error instanceof Refusal ? error.message : error instanceof TypeError ? "The server is away"
+        : String(error));
     } finally {
       this.running = null;
       for (const each of buttons) each.disabled = false;
@@ -238,14 +299,24 @@ export class MachineView {
   }
 
   private async show(done: Job, simulated: boolean): Promise<void> {
-    const told = done.result!, address = (name: string): string => `/api/jobs/${done.job}/files/${encodeURIComponent(name)}`;
-    const link = (name: string, words: string, saved = ""): HTMLElement => element("a", { href: address(name), ...(saved ? { download: saved } : { target: "_blank", rel: "noopener" }) }, words);
-    const stem = this.store.name.replace(/\.job$/, ""), rows = told.reports.map((each) => element("tr", {}, element("td", {}, each.name), element("td", {}, `${Math.round(each.cut)} mm`), element("td", {}, time(each.seconds))));
-    const faults = (told.events ?? []).map((each) => element("li", {}, `${each.kind}, line ${each.line}: ${short(each.amount, 3)} mm`));
+    const told = done.result!;
+    const address = (name: string): string => `/api/jobs/${done.job}/files/${encodeURIComponent(name)}`;
+    const link = (name: string, words: string, saved = ""): HTMLElement => element("a",
+      { href: address(name), ...(saved ? { download: saved } : { target: "_blank", rel: "noopener" }) }, words);
+    const stem = this.store.name.replace(/\.job$/, "");
+    const rows = told.reports.map((each) => element("tr", {}, element("td", {}, each.name),
+      element("td", {}, `${Math.round(each.cut)} mm`), element("td", {}, time(each.seconds))));
+    const faults = (told.events ?? []).map((each) => element("li", {},
+      `${each.kind}, line ${each.line}: ${short(each.amount, 3)} mm`));
     by("job-result").replaceChildren(
-      element("p", {}, element("strong", { id: "job-time" }, time(told.seconds)), " ", ...(simulated ? [element("span", { className: told.good ? "good" : "bad" }, told.good ? "The simulation found no fault." : "The simulation found faults.")] : [])),
-      ...(faults.length ? [element("ul", {}, ...faults)] : []), element("table", {}, ...rows), ...told.notes.map((each) => element("p", { className: "quiet" }, each)),
-      element("p", { className: "links-of-job" }, link(told.program, "Program", stem + told.program.replace(/^program/, "")), link("sheet.html", "Set-up sheet"), ...(simulated ? [link("report.html", "Report")] : []), link("job.toml", "Job file", `${stem}.toml`)));
+      element("p", {}, element("strong", { id: "job-time" }, time(told.seconds)), " ",
+        ...(simulated ? [element("span", { className: told.good ? "good" : "bad" },
+          told.good ? "The simulation found no fault." : "The simulation found faults.")] : [])),
+      ...(faults.length ? [element("ul", {}, ...faults)] : []), element("table", {}, ...rows),
+      ...told.notes.map((each) => element("p", { className: "quiet" }, each)),
+      element("p", { className: "links-of-job" },
+        link(told.program, "Program", stem + told.program.replace(/^program/, "")), link("sheet.html", "Set-up sheet"),
+        ...(simulated ? [link("report.html", "Report")] : []), link("job.toml", "Job file", `${stem}.toml`)));
     try {
       const { Playback } = await import("./playback");  // three.js is loaded when it is first needed
       by("stage").hidden = false;

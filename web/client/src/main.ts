@@ -68,7 +68,9 @@ function showMachine(on: boolean): void {
   by("left").classList.toggle("machining", on);
   by("machine-view").hidden = !on;
   if (!on) machine.hide();
-  else void machine.open(store.name, made.trim() ? { text: made, language: kind === "sheet" ? "frep" : languageOf(store.name) } : null);
+  else
+    void machine.open(store.name,
+      made.trim() ? { text: made, language: kind === "sheet" ? "frep" : languageOf(store.name) } : null);
 }
 by("machine").onclick = () => showMachine(!isOn("machine"));
 
@@ -76,7 +78,8 @@ by("machine").onclick = () => showMachine(!isOn("machine"));
 
 store.onState = (state, message) => {
   const chip = by("saved");
-  const said = { saved: "Saved", saving: "Saving …", away: "Kept in this browser", conflict: "Changed elsewhere", refused: "Not saved", none: "" }[state];
+  const said = { saved: "Saved", saving: "Saving …", away: "Kept in this browser", conflict: "Changed elsewhere",
+    refused: "Not saved", none: "" }[state];
   chip.dataset.state = state;
   chip.title = message;
   chip.replaceChildren(said);
@@ -90,7 +93,8 @@ store.onState = (state, message) => {
 
 connection.onState = (isOpen) => {
   by("away").hidden = isOpen;
-  by("away").textContent = isOpen ? "" : "The server is away. Your changes are kept in this browser; the picture follows when it is back.";
+  by("away").textContent = isOpen ? ""
+    : "The server is away. Your changes are kept in this browser; the picture follows when it is back.";
 };
 
 function display(name: string, content: string): void {
@@ -137,7 +141,8 @@ async function open(name: string): Promise<void> {
 
 async function create(wanted: string, content: string): Promise<void> {
   const { documents } = await (await ask("/api/documents")).json();
-  const taken = new Set<string>(documents.map((each: { name: string }) => each.name)), [, stem, end] = /^(.*?)(\.\w+)$/.exec(wanted)!;
+  const taken = new Set<string>(documents.map((each: { name: string }) => each.name));
+  const [, stem, end] = /^(.*?)(\.\w+)$/.exec(wanted)!;
   let name = wanted;
   for (let i = 2; taken.has(name); ++i) name = `${stem} ${i}${end}`;
   await store.create(name, content);
@@ -163,7 +168,8 @@ const seen = new IntersectionObserver((entries) => {
       const model = await modelOf(address!, name!);
       if (!model.trim()) return;
       const language = languageOf(name!) === "json" ? "frep" : languageOf(name!);
-      const answer = await ask("/api/picture", { method: "POST", body: JSON.stringify({ text: model, language, width: 240, height: 160, smooth: true }) });
+      const answer = await ask("/api/picture",
+        { method: "POST", body: JSON.stringify({ text: model, language, width: 240, height: 160, smooth: true }) });
       const flat = JSON.parse(answer.headers.get("Fieldfab-Picture")!).flat;
       const image = element("img", { src: URL.createObjectURL(await answer.blob()), alt: "" });
       if (flat) {  // white within, black without: a mask
@@ -177,7 +183,9 @@ const seen = new IntersectionObserver((entries) => {
 
 function card(name: string, address: string, chosen: () => void): HTMLElement {
   const isSheet = languageOf(name) === "json";
-  const made = element("button", { className: "card" }, element("span", { className: "thumb" }), element("span", { className: "caption" }, name.replace(/\.(frep|json)$/, ""), element("small", {}, isSheet ? "sheet" : languageOf(name))));
+  const made = element("button", { className: "card" }, element("span", { className: "thumb" }),
+    element("span", { className: "caption" }, name.replace(/\.(frep|json)$/, ""),
+      element("small", {}, isSheet ? "sheet" : languageOf(name))));
   Object.assign(made.dataset, { address, name });
   made.onclick = chosen;
   seen.observe(made);
@@ -188,22 +196,28 @@ async function gallery(): Promise<void> {
   const dialog = by<HTMLDialogElement>("gallery");
   if (!dialog.open) dialog.showModal();
   try {
-    const [{ documents }, { examples }] = await Promise.all([(await ask("/api/documents")).json(), (await ask("/api/examples")).json()]);
-    by("documents").replaceChildren(...documents.filter((each: { name: string }) => !each.name.endsWith(".job")).map(({ name }: { name: string }) => card(name, `/api/documents/${encodeURIComponent(name)}`, () => void open(name))));
+    const [{ documents }, { examples }] =
+      await Promise.all([(await ask("/api/documents")).json(), (await ask("/api/examples")).json()]);
+    by("documents").replaceChildren(...documents.filter((each: { name: string }) => !each.name.endsWith(".job")).map(
+      ({ name }: { name: string }) => card(name, `/api/documents/${encodeURIComponent(name)}`, () => void open(name))));
     if (!documents.length) by("documents").append(element("p", { className: "quiet" }, "None yet."));
-    const sheetsFirst = (examples as string[]).sort((a, b) => Number(b.endsWith(".json")) - Number(a.endsWith(".json")) || a.localeCompare(b));
+    const sheetsFirst = (examples as string[])
+      .sort((a, b) => Number(b.endsWith(".json")) - Number(a.endsWith(".json")) || a.localeCompare(b));
     by("examples").replaceChildren(...sheetsFirst.map((name) => {
       const address = `/api/examples/${encodeURIComponent(name)}`;
       return card(name, address, async () => void create(name, await (await ask(address)).text()));
     }));
   } catch (error) {
-    by("documents").replaceChildren(element("p", { className: "quiet" }, error instanceof Refusal ? error.message : "The server is away."));
+    by("documents").replaceChildren(element("p", { className: "quiet" },
+      error instanceof Refusal ? error.message : "The server is away."));
   }
 }
 
 by("open").onclick = () => void gallery();
 by("close-gallery").onclick = () => by<HTMLDialogElement>("gallery").close();
-by("new-text").onclick = () => void create("model.frep", "size = 20  # 5 to 60, the side\nr = 6      # 1 to 20, the hole\nrounded_box(size, size, size / 2, 2) - cylinder(r, size)\n");
+by("new-text").onclick = () => void create("model.frep",
+  "size = 20  # 5 to 60, the side\nr = 6      # 1 to 20, the hole\n" +
+  "rounded_box(size, size, size / 2, 2) - cylinder(r, size)\n");
 by("new-sheet").onclick = () => void create("sheet.json", writeSheet(emptySheet()));
 
 by("new-scan").onclick = () => by("scan-file").click();
@@ -213,7 +227,10 @@ by<HTMLInputElement>("scan-file").onchange = async () => {
   button.disabled = true;
   try {
     await upload(file, (share) => { button.textContent = `${Math.round(100 * share)} %`; })
-      .catch((error) => { if (!(error instanceof Refusal && error.kind === "changed" && confirm(`${error.message}. Take that one?`))) throw error; });
+      .catch((error) => {
+        if (!(error instanceof Refusal && error.kind === "changed" && confirm(`${error.message}. Take that one?`)))
+          throw error;
+      });
     button.textContent = "Reading …";
     await create(file.name.replace(/(\.nii)?\.\w+$/, "") + ".frep", textOfScan(file.name, await lookAt(file.name)));
   } catch (error) {
@@ -230,7 +247,8 @@ by<HTMLInputElement>("scan-file").onchange = async () => {
 async function packed(content: string): Promise<string> {
   const stream = new Blob([content]).stream().pipeThrough(new CompressionStream("deflate-raw"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  return btoa(Array.from(bytes, (each) => String.fromCharCode(each)).join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  return btoa(Array.from(bytes, (each) => String.fromCharCode(each)).join("")).replaceAll("+", "-").replaceAll("/", "_")
+    .replaceAll("=", "");
 }
 
 async function unpacked(given: string): Promise<string> {
@@ -250,7 +268,8 @@ by("share").onclick = async () => {
 };
 
 async function begin(): Promise<void> {
-  const { functions, words }: { functions: LibraryFunction[]; words: { kind: string; name: string }[] } = await (await ask("/api/library")).json();
+  const { functions, words }: { functions: LibraryFunction[]; words: { kind: string; name: string }[] } =
+    await (await ask("/api/library")).json();
   knowWords(words.map((each) => each.name));
   sheet.know(functions);
   const { formats } = await (await ask("/api/documents")).json();
@@ -275,14 +294,16 @@ by<HTMLSelectElement>("download").onchange = async () => {
   menu.value = "";
   if (!extension || !made.trim()) return;
   try {
-    let job = await post<{ job: string; state: string; progress: number; error: { message: string } | null; result: { certain?: boolean } }>(
-      "/api/files", { text: made, language: kind === "sheet" ? "frep" : languageOf(store.name), extension });
+    let job = await post<{ job: string; state: string; progress: number; error: { message: string } | null;
+      result: { certain?: boolean } }>(
+        "/api/files", { text: made, language: kind === "sheet" ? "frep" : languageOf(store.name), extension });
     while (job.state === "waiting" || job.state === "working") {
       first.textContent = `${extension.slice(1)}: ${Math.round(100 * job.progress)} %`;
       job = await (await ask(`/api/jobs/${job.job}?state=${job.state}&progress=${job.progress}`)).json();
     }
     if (job.state !== "done") throw new Refusal(422, job.state, job.error?.message ?? "It was cancelled");
-    const link = element("a", { href: `/api/jobs/${job.job}/file`, download: store.name.replace(/\.\w+$/, "") + extension });
+    const link = element("a",
+      { href: `/api/jobs/${job.job}/file`, download: store.name.replace(/\.\w+$/, "") + extension });
     link.click();
     if (job.result?.certain === false) alert("The file is written. It may lack parts that are thinner than its cells.");
   } catch (error) {
@@ -294,7 +315,8 @@ by<HTMLSelectElement>("download").onchange = async () => {
 
 // Views and keys
 
-const views: Record<string, [number, number]> = { iso: [0.5, -0.95], top: [0, 0], front: [0, -Math.PI / 2], right: [-Math.PI / 2, -Math.PI / 2] };
+const views: Record<string, [number, number]> = { iso: [0.5, -0.95], top: [0, 0], front: [0, -Math.PI / 2],
+  right: [-Math.PI / 2, -Math.PI / 2] };
 by("views").onclick = (event) => {
   const view = (event.target as HTMLElement).dataset.view;
   if (view) picture.look(...views[view]);
@@ -312,12 +334,21 @@ function toggle(id: string, now: boolean, act: (on: boolean) => void): void {
   act(now);
 }
 function isOn(id: string): boolean { return by(id).getAttribute("aria-pressed") === "true"; }
-by("perspective").onclick = () => toggle("perspective", !isOn("perspective"), (on) => { picture.camera.perspective = on ? 0.6 : 0; picture.ask(); });
+by("perspective").onclick = () => toggle("perspective", !isOn("perspective"), (on) => {
+  picture.camera.perspective = on ? 0.6 : 0;
+  picture.ask();
+});
 by("measure").onclick = () => toggle("measure", !isOn("measure"), (on) => picture.measure(on));
 function section(): void {
-  const axis = by<HTMLSelectElement>("section").value, bar = by<HTMLInputElement>("section-at"), i = "xyz".indexOf(axis), { bounds } = picture;
+  const axis = by<HTMLSelectElement>("section").value;
+  const bar = by<HTMLInputElement>("section-at");
+  const i = "xyz".indexOf(axis);
+  const { bounds } = picture;
   bar.hidden = !axis;
-  picture.camera.section = axis && bounds ? { axis, at: bounds[i] + (bounds[i + 3] - bounds[i]) * Number(bar.value) / 1000, keep: axis === "y" ? "above" : "below" } : null;
+  picture.camera.section = axis && bounds
+    ? { axis, at: bounds[i] + (bounds[i + 3] - bounds[i]) * Number(bar.value) / 1000,
+      keep: axis === "y" ? "above" : "below" }
+    : null;
   picture.ask();
 }
 by("section").onchange = by("section-at").oninput = section;
@@ -345,8 +376,10 @@ addEventListener("keydown", (event) => {
   } else if (control && event.key === "y") { event.preventDefault(); by("redo").click(); }
   if (control || event.altKey) return;
   const keys: Record<string, () => void> = {
-    f: () => (target.closest("#sheet") ? sheet.fit() : picture.fit()), p: () => by("perspective").click(), m: () => by("measure").click(), "?": () => by("help").click(),
-    1: () => picture.look(...views.iso), 2: () => picture.look(...views.top), 3: () => picture.look(...views.front), 4: () => picture.look(...views.right),
+    f: () => (target.closest("#sheet") ? sheet.fit() : picture.fit()), p: () => by("perspective").click(),
+    m: () => by("measure").click(), "?": () => by("help").click(),
+    1: () => picture.look(...views.iso), 2: () => picture.look(...views.top), 3: () => picture.look(...views.front),
+    4: () => picture.look(...views.right),
   };
   keys[event.key]?.();
 });
@@ -373,7 +406,8 @@ divider.onkeydown = (event) => {
 // A hint for who is here for the first time
 
 if (!localStorage.getItem("fabserver hint")) {
-  const hint = element("div", { id: "hint" }, "Drag turns, the wheel zooms to the pointer, right drag moves. F shows all.");
+  const hint = element("div", { id: "hint" },
+    "Drag turns, the wheel zooms to the pointer, right drag moves. F shows all.");
   const close = element("button", { ariaLabel: "Close the hint" }, "✕");
   close.onclick = () => { localStorage.setItem("fabserver hint", "seen"); hint.remove(); };
   hint.append(close);
@@ -382,5 +416,6 @@ if (!localStorage.getItem("fabserver hint")) {
 
 void begin().catch((error) => {
   by("away").hidden = false;
-  by("away").textContent = error instanceof Refusal ? error.message : "The server is away. Reload the page when it is back.";
+  by("away").textContent = error instanceof Refusal ? error.message
+    : "The server is away. Reload the page when it is back.";
 });

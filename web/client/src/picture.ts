@@ -4,7 +4,10 @@ import { post, Refusal } from "./server";
 import { element, short } from "./elements";
 
 export interface Model { text: string; language: string }
-export interface Camera { alpha: number; beta: number; perspective: number; mode: string; section: { axis: string; at: number; keep: string } | null }
+export interface Camera {
+  alpha: number; beta: number; perspective: number; mode: string;
+  section: { axis: string; at: number; keep: string } | null
+}
 
 type Point = [number, number, number];
 
@@ -48,7 +51,10 @@ export class Picture {
     host.addEventListener("pointerdown", (event) => this.down(event));
     host.addEventListener("contextmenu", (event) => event.preventDefault());
     host.addEventListener("keydown", (event) => this.key(event));
-    new MutationObserver(() => { this.draw(); this.ask(); }).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+    new MutationObserver(() => {
+      this.draw();
+      this.ask();
+    }).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
   get twoD(): boolean { return this.flat || this.camera.mode === "bitmap"; }
@@ -106,7 +112,7 @@ export class Picture {
     return [w / 2 + (u - x) / this.scale, h / 2 - (v - y) / this.scale];
   }
 
-  /** Asks for a picture of what is seen now; while one is on its way without having shown anything, as soon as it has. */
+  /** Asks for a picture of what is seen now. It waits for one on its way that has shown nothing yet. */
   ask(): void {
     const [width, height] = this.size;
     if (!this.model || width < 8 || height < 8) return;
@@ -126,7 +132,8 @@ export class Picture {
     this.host.dataset.asked = String(this.number);
   }
 
-  private taken: Promise<void> = Promise.resolve(); // answers are shown in their order, however long each takes to be unpacked
+  // answers are shown in their order, however long each takes to be unpacked
+  private taken: Promise<void> = Promise.resolve();
 
   private async take(answer: Answer): Promise<void> {
     if (answer.type === "parameters") return this.onParameters(answer);
@@ -135,12 +142,14 @@ export class Picture {
       if (answer.number < this.number && answer.quality !== "coarse") return;
       if (answer.bounds) { this.bounds = answer.bounds; this.flat = answer.flat ?? false; }
       if (this.fitting && answer.number === this.fitted && this.bounds) this.adopt(answer.window!);
-      this.image = { bitmap: answer.mode === "bitmap" ? await this.tinted(bitmap) : bitmap, window: answer.window!, mode: answer.mode! };
+      this.image = { bitmap: answer.mode === "bitmap" ? await this.tinted(bitmap) : bitmap, window: answer.window!,
+        mode: answer.mode! };
       this.draw();
       this.host.dataset.quality = answer.quality;
       this.host.dataset.shown = String(answer.number);
       const waited = performance.now() - this.asked;
-      if (answer.quality === "coarse" && this.asked) this.told.textContent = `${short(this.scale, 3)} mm a pixel · ${Math.round(waited)} ms`;
+      if (answer.quality === "coarse" && this.asked)
+        this.told.textContent = `${short(this.scale, 3)} mm a pixel · ${Math.round(waited)} ms`;
       this.onError(null);
       this.onPicture(answer);
     } else if (answer.type === "error") this.onError(answer);
@@ -165,7 +174,8 @@ export class Picture {
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), context = canvas.getContext("2d")!;
     context.drawImage(bitmap, 0, 0);
     const image = context.getImageData(0, 0, bitmap.width, bitmap.height), data = image.data;
-    const [red, green, blue] = getComputedStyle(document.documentElement).getPropertyValue("--flat").split(",").map(Number);
+    const [red, green, blue] = getComputedStyle(document.documentElement).getPropertyValue("--flat").split(",")
+      .map(Number);
     for (let i = 0; i < data.length; i += 4) {
       data[i + 3] = data[i];
       data[i] = red, data[i + 1] = green, data[i + 2] = blue;
@@ -185,7 +195,9 @@ export class Picture {
     this.host.dataset.scale = String(this.scale / ratio); // mm a pixel of the canvas
     if (this.twoD || this.fixed) this.drawGrid(context);
     if (this.image) {
-      const [x0, y0, x1, y1] = this.image.window, [left, top] = this.pixel(x0, y1), [right, bottom] = this.pixel(x1, y0);
+      const [x0, y0, x1, y1] = this.image.window;
+      const [left, top] = this.pixel(x0, y1);
+      const [right, bottom] = this.pixel(x1, y0);
       context.imageSmoothingEnabled = true;
       context.drawImage(this.image.bitmap, left, top, right - left, bottom - top);
     }
@@ -194,7 +206,9 @@ export class Picture {
 
   private drawGrid(context: CanvasRenderingContext2D): void {
     const style = getComputedStyle(document.documentElement), [w, h] = this.size;
-    const step = 10 ** Math.ceil(Math.log10(12 * this.scale)), [left, top] = this.place(0, 0), [right, bottom] = this.place(w, h);
+    const step = 10 ** Math.ceil(Math.log10(12 * this.scale));
+    const [left, top] = this.place(0, 0);
+    const [right, bottom] = this.place(w, h);
     const line = (major: boolean, x0: number, y0: number, x1: number, y1: number): void => {
       context.strokeStyle = style.getPropertyValue(major ? "--grid-major" : "--grid");
       context.beginPath();
@@ -203,14 +217,24 @@ export class Picture {
       context.stroke();
     };
     context.lineWidth = 1;
-    for (let i = Math.ceil(left / step); i * step <= right; ++i) { const x = Math.round(this.pixel(i * step, 0)[0]) + 0.5; line(i % 10 === 0, x, 0, x, h); }
-    for (let i = Math.ceil(bottom / step); i * step <= top; ++i) { const y = Math.round(this.pixel(0, i * step)[1]) + 0.5; line(i % 10 === 0, 0, y, w, y); }
+    for (let i = Math.ceil(left / step); i * step <= right; ++i) {
+      const x = Math.round(this.pixel(i * step, 0)[0]) + 0.5;
+      line(i % 10 === 0, x, 0, x, h);
+    }
+    for (let i = Math.ceil(bottom / step); i * step <= top; ++i) {
+      const y = Math.round(this.pixel(0, i * step)[1]) + 0.5;
+      line(i % 10 === 0, 0, y, w, y);
+    }
   }
 
   private drawMeasured(context: CanvasRenderingContext2D): void {
     if (!this.measured.length) return;
-    const flat = (place: Point): [number, number] => { const [u, v] = this.twoD ? place : turned(place, this.camera); return this.pixel(u, v); };
-    const pixels = this.measured.map(flat), colour = getComputedStyle(document.documentElement).getPropertyValue("--accent");
+    const flat = (place: Point): [number, number] => {
+      const [u, v] = this.twoD ? place : turned(place, this.camera);
+      return this.pixel(u, v);
+    };
+    const pixels = this.measured.map(flat);
+    const colour = getComputedStyle(document.documentElement).getPropertyValue("--accent");
     context.strokeStyle = context.fillStyle = colour;
     context.lineWidth = 2;
     context.beginPath();
@@ -238,9 +262,12 @@ export class Picture {
       const found = await post<{ place: Point | null; value: number | null; part: string | null }>(
         "/api/pick", { text, language, alpha, beta, mode, section, at: this.place(px, py) });
       if (!found.place) { this.told.textContent = "Nothing is there"; return; }
-      if (this.measuring && this.camera.perspective === 0) this.measured = [...this.measured.slice(this.measured.length === 2 ? 2 : 0), found.place];
+      if (this.measuring && this.camera.perspective === 0)
+        this.measured = [...this.measured.slice(this.measured.length === 2 ? 2 : 0), found.place];
       const [a, b] = this.measured, shown = found.place.map((each) => short(each)).join(", ");
-      this.told.textContent = a && b ? `${short(Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]))} mm (${a.map((each, i) => short(b[i] - each)).join(", ")})`
+      const way = a && b ? a.map((each, i) => b[i] - each) : [];
+      this.told.textContent = a && b
+        ? `${short(Math.hypot(...way))} mm (${way.map((each) => short(each)).join(", ")})`
         : `${found.part ? found.part + ": " : ""}${shown} mm`;
       this.draw();
     } catch (error) {
@@ -299,10 +326,13 @@ export class Picture {
       const dx = next.clientX - last[0], dy = next.clientY - last[1];
       way += Math.abs(dx) + Math.abs(dy);
       if (this.touches.size === 2) {
-        const other = [...this.touches].find(([id]) => id !== next.pointerId)![1], box = this.host.getBoundingClientRect();
-        const before = Math.hypot(last[0] - other[0], last[1] - other[1]), after = Math.hypot(next.clientX - other[0], next.clientY - other[1]);
+        const other = [...this.touches].find(([id]) => id !== next.pointerId)![1];
+        const box = this.host.getBoundingClientRect();
+        const before = Math.hypot(last[0] - other[0], last[1] - other[1]);
+        const after = Math.hypot(next.clientX - other[0], next.clientY - other[1]);
         this.pan(dx / 2, dy / 2);
-        if (after > 0) this.zoom(before / after, (next.clientX + other[0]) / 2 - box.left, (next.clientY + other[1]) / 2 - box.top);
+        if (after > 0)
+          this.zoom(before / after, (next.clientX + other[0]) / 2 - box.left, (next.clientY + other[1]) / 2 - box.top);
       } else if (panning) this.pan(dx, dy);
       else this.turn(dx, dy);
       this.touches.set(next.pointerId, [next.clientX, next.clientY]);
@@ -323,9 +353,12 @@ export class Picture {
 
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || event.target !== this.host) return;
-    const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
+      ArrowDown: [0, 1] };
     const way = arrows[event.key];
-    if (way) (this.twoD || this.fixed || event.shiftKey) ? this.pan(20 * way[0], 20 * way[1]) : this.turn(10 * way[0], 10 * way[1]);
+    if (way)
+      (this.twoD || this.fixed || event.shiftKey) ? this.pan(20 * way[0], 20 * way[1])
+        : this.turn(10 * way[0], 10 * way[1]);
     else if (event.key === "+" || event.key === "=") this.zoom(0.8);
     else if (event.key === "-") this.zoom(1.25);
     else return;

@@ -1,12 +1,18 @@
 // A plan and its simulation in 3D: the ways of the tools, the stock while it is cut, the tool.
-import { Box3, Box3Helper, BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, Quaternion, Vector3 } from "three";
+import { Box3, Box3Helper, BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh,
+  MeshStandardMaterial, Quaternion, Vector3 } from "three";
 import { element, short } from "./elements";
 import { Scene } from "./scene";
 import { ask } from "./server";
 
-interface Surface { at: number; normals: number; corners: number; colours?: number; vertices: number; triangles: number }
+interface Surface {
+  at: number; normals: number; corners: number; colours?: number; vertices: number; triangles: number
+}
 interface Lines { at: number; count: number }
-interface Stock { seconds: number; stills: { seconds: number; pieces: (Surface & { piece: number })[] }[]; poses: number[][]; tools: Record<string, Record<string, Surface>> }
+interface Stock {
+  seconds: number; stills: { seconds: number; pieces: (Surface & { piece: number })[] }[]; poses: number[][];
+  tools: Record<string, Record<string, Surface>>
+}
 type Address = (name: string) => string;
 
 const ROLES: Record<string, string> = { cutting: "#d4a017", shank: "#9aa3ab", holder: "#5d6b75" };
@@ -15,9 +21,12 @@ function surfaceOf(data: ArrayBuffer, told: Surface): any {
   const geometry = new BufferGeometry(), corners = 3 * told.triangles;
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(data, told.at, 3 * told.vertices), 3));
   // Four bytes each, of which three are taken.
-  geometry.setAttribute("normal", new BufferAttribute(Float32Array.from({ length: 3 * told.vertices }, (_, i) => new Int8Array(data, told.normals + 4 * Math.trunc(i / 3) + i % 3, 1)[0] / 127), 3));
-  if (told.colours !== undefined) geometry.setAttribute("color", new BufferAttribute(new Uint8Array(data, told.colours, 4 * told.vertices), 4, true));
-  geometry.setIndex(new BufferAttribute(told.vertices < 65536 ? new Uint16Array(data, told.corners, corners) : new Uint32Array(data, told.corners, corners), 1));
+  geometry.setAttribute("normal", new BufferAttribute(Float32Array.from({ length: 3 * told.vertices },
+    (_, i) => new Int8Array(data, told.normals + 4 * Math.trunc(i / 3) + i % 3, 1)[0] / 127), 3));
+  if (told.colours !== undefined)
+    geometry.setAttribute("color", new BufferAttribute(new Uint8Array(data, told.colours, 4 * told.vertices), 4, true));
+  geometry.setIndex(new BufferAttribute(told.vertices < 65536 ? new Uint16Array(data, told.corners, corners)
+    : new Uint32Array(data, told.corners, corners), 1));
   return geometry;
 }
 
@@ -36,7 +45,8 @@ export class Playback {
   private timer = 0;
 
   constructor(private host: HTMLElement) {
-    const view = element("div", { className: "scene", tabIndex: 0, ariaLabel: "Plan and stock in 3D: drag turns" }), close = element("button", { title: "Back to the picture" }, "✕");
+    const view = element("div", { className: "scene", tabIndex: 0, ariaLabel: "Plan and stock in 3D: drag turns" });
+    const close = element("button", { title: "Back to the picture" }, "✕");
     close.ariaLabel = "Back to the picture";
     close.onclick = () => { this.stop(); host.hidden = true; };
     this.controls = element("div", { className: "film" }, this.play, this.bar);
@@ -62,7 +72,9 @@ export class Playback {
   /** Shows what a job made, of which `address` names the files. */
   async show(address: Address, box: number[], simulated: boolean): Promise<void> {
     this.stop();
-    const read = async (name: string): Promise<[any, ArrayBuffer]> => Promise.all([ask(address(`${name}.json`)).then((answer) => answer.json()), ask(address(`${name}.bin`)).then((answer) => answer.arrayBuffer())]);
+    const read = async (name: string): Promise<[any, ArrayBuffer]> => Promise.all([
+      ask(address(`${name}.json`)).then((answer) => answer.json()),
+      ask(address(`${name}.bin`)).then((answer) => answer.arrayBuffer())]);
     const [{ ways }, data] = await read("ways");
     for (const each of this.geometries.values()) each.dispose();
     this.geometries.clear();
@@ -71,20 +83,25 @@ export class Playback {
     this.still = -1;
     this.scene.model.clear();
     ways.forEach((each: { rapids: Lines; cuts: Lines }, i: number) => {
-      for (const [told, colour] of [[each.rapids, "#b42318"], [each.cuts, `hsl(${(200 + 70 * i) % 360}, 65%, 42%)`]] as const) {
+      for (const [told, colour] of [[each.rapids, "#b42318"],
+          [each.cuts, `hsl(${(200 + 70 * i) % 360}, 65%, 42%)`]] as const) {
         if (!told.count) continue;
         const geometry = new BufferGeometry();
         geometry.setAttribute("position", new BufferAttribute(new Float32Array(data, told.at, 3 * told.count), 3));
-        this.scene.model.add(new LineSegments(geometry, new LineBasicMaterial({ color: new Color(colour), transparent: true, opacity: colour === "#b42318" ? 0.35 : 0.85 })));
+        this.scene.model.add(new LineSegments(geometry, new LineBasicMaterial({ color: new Color(colour),
+          transparent: true, opacity: colour === "#b42318" ? 0.35 : 0.85 })));
       }
     });
-    this.scene.model.add(new Box3Helper(new Box3(new Vector3(...box.slice(0, 3)), new Vector3(...box.slice(3))), new Color("#7c8a90")));
+    this.scene.model.add(new Box3Helper(new Box3(new Vector3(...box.slice(0, 3)), new Vector3(...box.slice(3))),
+      new Color("#7c8a90")));
     this.stock = null;
     if (simulated) {
       [this.stock, this.data] = await read("stock");
       for (const [number, parts] of Object.entries(this.stock!.tools)) {
         const tool = new Group();
-        for (const [role, told] of Object.entries(parts)) tool.add(new Mesh(surfaceOf(this.data, told), new MeshStandardMaterial({ color: new Color(ROLES[role]), roughness: 0.4, transparent: true, opacity: 0.8 })));
+        for (const [role, told] of Object.entries(parts))
+          tool.add(new Mesh(surfaceOf(this.data, told), new MeshStandardMaterial({ color: new Color(ROLES[role]),
+            roughness: 0.4, transparent: true, opacity: 0.8 })));
         this.tools.set(Number(number), tool);
       }
     }

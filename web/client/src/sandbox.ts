@@ -1,4 +1,5 @@
-// Runs the code of nodes in a frame without network, storage or a way to this page (sandbox.html), with a limit of time.
+// Runs the code of nodes, with a limit of time, in a frame without network, storage or a way to this page
+// (sandbox.html).
 import { by } from "./elements";
 import { inOrder, type Result, type Sheet, shapeName } from "./sheet";
 
@@ -31,7 +32,8 @@ export class Sandbox {
     this.sheet = this.waiting!;
     this.waiting = null;
     this.busy = true;
-    const nodes = inOrder(this.sheet).map((node) => ({ id: node.id, name: shapeName(node), x: node.x, y: node.y, code: node.code, values: node.values, parents: node.parents }));
+    const nodes = inOrder(this.sheet).map((node) => ({ id: node.id, name: shapeName(node), x: node.x, y: node.y,
+      code: node.code, values: node.values, parents: node.parents }));
     this.frame.contentWindow!.postMessage({ run: ++this.run, nodes, milliseconds: MILLISECONDS }, "*");
   }
 

@@ -2,7 +2,10 @@
 import { by, element, short, svg } from "./elements";
 import { type Parameter, post, Refusal } from "./server";
 
-export interface Scan { size: number[]; spacing: number[]; type: string; counts: number[]; from: number; to: number; halfway: number; otsu: number }
+export interface Scan {
+  size: number[]; spacing: number[]; type: string; counts: number[]; from: number; to: number; halfway: number;
+  otsu: number
+}
 
 /** Sends a file; throws Refusal, or TypeError where the server is away. */
 export function upload(file: File, progress: (share: number) => void): Promise<void> {
@@ -25,7 +28,8 @@ export function lookAt(name: string): Promise<Scan> { return post<Scan>("/api/sc
 
 /** The text of a model that shows a scan. */
 export function textOfScan(name: string, scan: Scan): string {
-  return `level = ${short(scan.halfway)}  # ${short(scan.from)} to ${short(scan.to)}, the density that separates the solid from its surroundings\n` +
+  return `level = ${short(scan.halfway)}  # ${short(scan.from)} to ${short(scan.to)}, ` +
+    "the density that separates the solid from its surroundings\n" +
     `open("${name}", threshold = level)\n`;
 }
 
@@ -42,7 +46,8 @@ export class Histogram {
 
   /** Shows that of the scan that a text opens, if it does. */
   async follow(text: string, parameters: Parameter[]): Promise<void> {
-    const found = /open\(\s*"([^"]+)"[^()]*\bthreshold\s*=\s*([A-Za-z_]\w*)/.exec(text), parameter = found && parameters.find((each) => each.name === found[2]);
+    const found = /open\(\s*"([^"]+)"[^()]*\bthreshold\s*=\s*([A-Za-z_]\w*)/.exec(text);
+    const parameter = found && parameters.find((each) => each.name === found[2]);
     this.host.hidden = !parameter;
     if (!found || !parameter) { this.shown = ""; return; }
     const [, name, level] = found;
@@ -67,20 +72,28 @@ export class Histogram {
   private draw(name: string, level: string, scan: Scan): void {
     this.scan = scan;
     const highest = Math.log1p(Math.max(...scan.counts)), step = WIDTH / scan.counts.length;
-    const picture = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", role: "img", "aria-label": `How often each density occurs in ${name}` });
-    picture.append(svg("path", { d: `M0 ${HEIGHT}` + scan.counts.map((count, i) => `V${HEIGHT * (1 - Math.log1p(count) / highest)}H${(i + 1) * step}`).join("") + `V${HEIGHT}Z` }), this.line);
+    const picture = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", role: "img",
+      "aria-label": `How often each density occurs in ${name}` });
+    picture.append(svg("path", { d: `M0 ${HEIGHT}` + scan.counts.map((count, i) =>
+      `V${HEIGHT * (1 - Math.log1p(count) / highest)}H${(i + 1) * step}`).join("") + `V${HEIGHT}Z` }), this.line);
     const set = (event: PointerEvent): void => {
-      const box = picture.getBoundingClientRect(), share = Math.min(1, Math.max(0, (event.clientX - box.left) / box.width));
+      const box = picture.getBoundingClientRect();
+      const share = Math.min(1, Math.max(0, (event.clientX - box.left) / box.width));
       this.onLevel(level, Number(short(scan.from + share * (scan.to - scan.from))));
     };
-    picture.addEventListener("pointerdown", (event) => { picture.setPointerCapture((event as PointerEvent).pointerId); set(event as PointerEvent); });
-    picture.addEventListener("pointermove", (event) => { if ((event as PointerEvent).buttons) set(event as PointerEvent); });
+    picture.addEventListener("pointerdown", (event) => {
+      picture.setPointerCapture((event as PointerEvent).pointerId);
+      set(event as PointerEvent);
+    });
+    picture.addEventListener("pointermove",
+      (event) => { if ((event as PointerEvent).buttons) set(event as PointerEvent); });
     const rules = ([["Halfway", scan.halfway], ["Otsu", scan.otsu]] as const).map(([words, value]) => {
       const button = element("button", { title: `${short(value)}` }, words);
       button.onclick = () => this.onLevel(level, Number(short(value)));
       return button;
     });
     const told = `${scan.size.join(" × ")} samples, ${scan.spacing.map((each) => short(each)).join(" × ")} mm apart`;
-    this.host.replaceChildren(picture, element("div", { className: "row" }, element("small", {}, told), element("span", { className: "space" }), ...rules));
+    this.host.replaceChildren(picture, element("div", { className: "row" }, element("small", {}, told),
+      element("span", { className: "space" }), ...rules));
   }
 }

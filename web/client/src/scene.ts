@@ -1,5 +1,6 @@
 // A model that is turned by mouse, touch or keys, drawn by three.js. Lengths are mm, z is up.
-import { AmbientLight, Box3, Color, DirectionalLight, Group, PerspectiveCamera, Scene as World, Sphere, Spherical, Vector3, WebGLRenderer } from "three";
+import { AmbientLight, Box3, Color, DirectionalLight, Group, PerspectiveCamera, Scene as World, Sphere, Spherical,
+  Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 
@@ -55,19 +56,23 @@ export class Scene {
     const far = r / Math.sin(Math.PI / 180 * this.camera.fov / 2) / Math.min(1, this.camera.aspect);
     Object.assign(this.camera, { near: far / 100, far: far * 10 });
     this.camera.updateProjectionMatrix();
-    this.camera.position.set(Math.sin(-alpha) * Math.cos(height), -Math.cos(alpha) * Math.cos(height), Math.sin(height)).multiplyScalar(far).add(ball.center);
+    this.camera.position.set(Math.sin(-alpha) * Math.cos(height), -Math.cos(alpha) * Math.cos(height), Math.sin(height))
+      .multiplyScalar(far).add(ball.center);
     this.controls.target.copy(ball.center);
     this.controls.update();
     this.draw();
   }
 
   private key(event: KeyboardEvent): void {
-    const ways: Record<string, [number, number, number]> = { ArrowLeft: [-1, 0, 1], ArrowRight: [1, 0, 1], ArrowUp: [0, -1, 1], ArrowDown: [0, 1, 1], "+": [0, 0, 0.85], "-": [0, 0, 1 / 0.85] };
+    const ways: Record<string, [number, number, number]> = { ArrowLeft: [-1, 0, 1], ArrowRight: [1, 0, 1],
+      ArrowUp: [0, -1, 1], ArrowDown: [0, 1, 1], "+": [0, 0, 0.85], "-": [0, 0, 1 / 0.85] };
     const way = ways[event.key];
     if (!way || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
-    const from = new Vector3().subVectors(this.camera.position, this.controls.target), at = new Spherical().setFromCartesianCoords(from.y, from.z, from.x);
-    at.set(at.radius * way[2], Math.min(Math.PI - 0.01, Math.max(0.01, at.phi + 0.1 * way[1])), at.theta - 0.1 * way[0]);
+    const from = new Vector3().subVectors(this.camera.position, this.controls.target);
+    const at = new Spherical().setFromCartesianCoords(from.y, from.z, from.x);
+    at.set(at.radius * way[2], Math.min(Math.PI - 0.01, Math.max(0.01, at.phi + 0.1 * way[1])),
+      at.theta - 0.1 * way[0]);
     const to = new Vector3().setFromSpherical(at);
     this.camera.position.set(to.z, to.x, to.y).add(this.controls.target);
     this.controls.update();
@@ -75,7 +80,10 @@ export class Scene {
   }
 }
 
-/** The model of a .glb file as Fieldfab writes it (metres, y up), in mm with z up. `colour`: of what has none, and is smooth. */
+/**
+ * The model of a .glb file as Fieldfab writes it (metres, y up), in mm with z up. Parts without a colour get `colour`,
+ * and are smooth.
+ */
 export async function readGlb(data: ArrayBuffer, colour?: string): Promise<unknown> {
   const { scene } = await new GLTFLoader().parseAsync(data, "");
   scene.rotation.x = Math.PI / 2;

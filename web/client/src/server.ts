@@ -1,7 +1,9 @@
 // What the page asks the server (docs/web.md).
 
 export interface Mistake { message: string; line: number; column: number; offset: number; length: number }
-export interface Parameter { name: string; value: number; range: [number, number] | null; comment: string; offset: number; length: number }
+export interface Parameter {
+  name: string; value: number; range: [number, number] | null; comment: string; offset: number; length: number
+}
 export interface LibraryFunction {
   name: string; group: string; signature: string; meaning: string; any_number: boolean;
   parameters: { name: string; kind: string; default: number | null }[];
@@ -18,7 +20,9 @@ export interface Answer {
 
 /** An answer that is no: with what was told. */
 export class Refusal extends Error {
-  constructor(readonly status: number, readonly kind: string, message: string, readonly mistakes: Mistake[] = []) { super(message); }
+  constructor(readonly status: number, readonly kind: string, message: string, readonly mistakes: Mistake[] = []) {
+    super(message);
+  }
 }
 
 /** Asks for an address; throws Refusal, or TypeError where the server is away. */

@@ -1,7 +1,8 @@
 // A sheet: a graph of nodes, each a piece of JavaScript at a place in millimetres. Knows nothing of the page.
 
 export interface SheetNode {
-  id: number; name: string; x: number; y: number; code: string; values: Record<string, number | string>; parents: number[];
+  id: number; name: string; x: number; y: number; code: string; values: Record<string, number | string>;
+  parents: number[];
 }
 export interface Sheet { format: "fieldfab sheet"; version: 1; snap: number; nodes: SheetNode[]; text: string }
 
@@ -13,7 +14,9 @@ export interface Result {
 
 export const VERSION = 1;
 
-export function emptySheet(): Sheet { return { format: "fieldfab sheet", version: VERSION, snap: 1, nodes: [], text: "" }; }
+export function emptySheet(): Sheet {
+  return { format: "fieldfab sheet", version: VERSION, snap: 1, nodes: [], text: "" };
+}
 
 /** Reads a document. Throws Error that says what is wrong with it. */
 export function readSheet(text: string): Sheet {
@@ -25,11 +28,14 @@ export function readSheet(text: string): Sheet {
   }
   if (given?.format !== "fieldfab sheet") throw new Error("This .json file is no sheet of fabserver");
   if (typeof given.version !== "number" || given.version > VERSION)
-    throw new Error(`This sheet is of version ${given.version}; this page knows version ${VERSION}. It is left as it is: open it with a newer Fieldfab`);
+    throw new Error(`This sheet is of version ${given.version}; this page knows version ${VERSION}. ` +
+      "It is left as it is: open it with a newer Fieldfab");
   const ids = new Set<number>();
   for (const node of given.nodes ?? []) {
-    if (!Number.isInteger(node.id) || ids.has(node.id) || typeof node.code !== "string" || typeof node.name !== "string" ||
-        !Number.isFinite(node.x) || !Number.isFinite(node.y) || !Array.isArray(node.parents)) throw new Error("This sheet has a node that is none");
+    if (!Number.isInteger(node.id) || ids.has(node.id) || typeof node.code !== "string" ||
+        typeof node.name !== "string" || !Number.isFinite(node.x) || !Number.isFinite(node.y) ||
+        !Array.isArray(node.parents))
+      throw new Error("This sheet has a node that is none");
     ids.add(node.id);
     node.values ??= {};
   }
@@ -78,7 +84,8 @@ export function makesCircle(sheet: Sheet, from: number, to: number): boolean {
 
 /** The name that a node's shape has in the text. */
 export function shapeName(node: SheetNode): string {
-  return (node.name.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_+|_+$/g, "").replace(/^(\d)/, "n$1") || "node") + `_${node.id}`;
+  return (node.name.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_+|_+$/g, "").replace(/^(\d)/, "n$1") ||
+    "node") + `_${node.id}`;
 }
 
 /** The sheet's f-rep text, and for each of its lines the node that it came from. */

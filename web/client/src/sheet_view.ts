@@ -5,7 +5,8 @@ import { kindsOf, type NodeKind, ownKinds, saveKind } from "./library";
 import type { Picture } from "./picture";
 import { Sandbox } from "./sandbox";
 import type { LibraryFunction, Mistake } from "./server";
-import { emptySheet, makesCircle, Past, readSheet, type Result, type Sheet, type SheetNode, textOf, writeSheet } from "./sheet";
+import { emptySheet, makesCircle, Past, readSheet, type Result, type Sheet, type SheetNode, textOf,
+  writeSheet } from "./sheet";
 import { codeEditor, markLine } from "./text_view";
 
 export class SheetView {
@@ -30,10 +31,15 @@ export class SheetView {
     picture.camera.alpha = picture.camera.beta = 0;
     picture.onView = () => this.place();
     this.sandbox.onResults = (sheet, results) => this.took(sheet, results);
-    this.sandbox.onLate = (id) => this.tell(`${this.sheet.nodes.find((each) => each.id === id)?.name ?? "A node"} was stopped: it ran longer than a second`, id);
+    this.sandbox.onLate = (id) => this.tell(
+      `${this.sheet.nodes.find((each) => each.id === id)?.name ?? "A node"} was stopped: it ran longer than a second`,
+      id);
     by("add-node").onclick = () => this.openPalette();
     by("remove-node").onclick = () => this.remove();
-    by<HTMLSelectElement>("snap").onchange = () => { this.sheet.snap = Number(by<HTMLSelectElement>("snap").value); this.settle(); };
+    by<HTMLSelectElement>("snap").onchange = () => {
+      this.sheet.snap = Number(by<HTMLSelectElement>("snap").value);
+      this.settle();
+    };
     by("find-node").oninput = () => this.listKinds();
     picture.host.addEventListener("keydown", (event) => this.key(event), true);
     picture.host.addEventListener("pointerdown", (event) => { if (event.target === picture.canvas) this.choose([]); });
@@ -69,7 +75,9 @@ export class SheetView {
 
   /** Shows all nodes, and all that they make. */
   fit(): void {
-    const { bounds } = this.picture, xs = this.sheet.nodes.map((node) => node.x), ys = this.sheet.nodes.map((node) => node.y);
+    const { bounds } = this.picture;
+    const xs = this.sheet.nodes.map((node) => node.x);
+    const ys = this.sheet.nodes.map((node) => node.y);
     if (bounds && this.sheet.text) xs.push(bounds[0], bounds[3]), ys.push(bounds[1], bounds[4]);
     if (xs.length) this.picture.frame(Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys));
   }
@@ -100,7 +108,9 @@ export class SheetView {
     this.lines = nodes;
     this.sheet.text = text;
     const first = [...this.mistakes][0];
-    this.tell(first ? `${this.nameOf(first[0])}: ${first[1]}` : text || !sheet.nodes.length ? null : "No node makes a shape yet: add one that does (+ Node)", first?.[0] ?? null);
+    this.tell(first ? `${this.nameOf(first[0])}: ${first[1]}`
+      : text || !sheet.nodes.length ? null : "No node makes a shape yet: add one that does (+ Node)",
+      first?.[0] ?? null);
     this.inspect();
     this.onText(text);
     this.keepText();
@@ -131,7 +141,8 @@ export class SheetView {
     box.textContent = message ?? "";
     box.onclick = () => { if (node !== null) this.choose([node]); };
     if (message !== null && node !== null) this.mistakes.set(node, message.replace(/^[^:]*: /, ""));
-    for (const each of this.layer.querySelectorAll<HTMLElement>(".node")) each.classList.toggle("wrong", this.mistakes.has(Number(each.dataset.id)));
+    for (const each of this.layer.querySelectorAll<HTMLElement>(".node"))
+      each.classList.toggle("wrong", this.mistakes.has(Number(each.dataset.id)));
     if (this.code) {
       const said = this.mistakes.get(this.code.node) ?? null;
       markLine(this.code.editor, this.results.get(this.code.node)?.line ?? null, said);
@@ -162,7 +173,8 @@ export class SheetView {
 
   private elementOf(node: SheetNode): HTMLElement {
     const port = element("span", { className: "port", title: "Drag to a node that is to take this one" });
-    const made = element("div", { className: "node", tabIndex: -1, title: node.name }, element("span", { className: "dot" }), element("span", { className: "label" }, node.name), port);
+    const made = element("div", { className: "node", tabIndex: -1, title: node.name },
+      element("span", { className: "dot" }), element("span", { className: "label" }, node.name), port);
     made.dataset.id = String(node.id);
     made.classList.toggle("chosen", this.chosen.has(node.id));
     made.onpointerdown = (event) => (event.target === port ? this.pull(event, node.id) : this.grab(event, node.id));
@@ -187,7 +199,9 @@ export class SheetView {
     const far = Math.hypot(x1 - x0, y1 - y0) || 1, bow = Math.min(24, far / 6);
     const mx = (x0 + x1) / 2 + (y1 - y0) / far * bow, my = (y0 + y1) / 2 - (x1 - x0) / far * bow;
     const path = `M${x0} ${y0}Q${mx} ${my} ${x1} ${y1}`;
-    const group = svg("g", { class: "link" }), wide = svg("path", { d: path, class: "wide" }), tip = svg("circle", { cx: (x0 + 2 * mx + x1) / 4, cy: (y0 + 2 * my + y1) / 4, r: 3 });
+    const group = svg("g", { class: "link" });
+    const wide = svg("path", { d: path, class: "wide" });
+    const tip = svg("circle", { cx: (x0 + 2 * mx + x1) / 4, cy: (y0 + 2 * my + y1) / 4, r: 3 });
     const title = svg("title");
     title.textContent = `${parent.name} → ${node.name}: click to cut`;
     group.append(wide, svg("path", { d: path }), tip, title);
@@ -208,10 +222,12 @@ export class SheetView {
     if (event.button !== 0) return;
     event.preventDefault();
     this.picture.host.focus({ preventScroll: true });
-    if (event.shiftKey) return this.choose(this.chosen.has(id) ? [...this.chosen].filter((each) => each !== id) : [...this.chosen, id]);
+    if (event.shiftKey)
+      return this.choose(this.chosen.has(id) ? [...this.chosen].filter((each) => each !== id) : [...this.chosen, id]);
     if (!this.chosen.has(id)) this.choose([id]);
     const target = event.currentTarget as HTMLElement, start = this.picture.place(event.clientX, event.clientY);
-    const moved = this.sheet.nodes.filter((node) => this.chosen.has(node.id)).map((node) => ({ node, x: node.x, y: node.y }));
+    const moved =
+      this.sheet.nodes.filter((node) => this.chosen.has(node.id)).map((node) => ({ node, x: node.x, y: node.y }));
     target.setPointerCapture(event.pointerId);
     this.moving = true;
     target.onpointermove = (next) => {
@@ -236,14 +252,18 @@ export class SheetView {
     event.preventDefault();
     event.stopPropagation();
     const port = event.currentTarget as HTMLElement, box = this.picture.host.getBoundingClientRect();
-    const node = this.sheet.nodes.find((each) => each.id === from)!, [x0, y0] = this.picture.pixel(node.x, node.y), line = svg("path", { class: "pulled" });
+    const node = this.sheet.nodes.find((each) => each.id === from)!;
+    const [x0, y0] = this.picture.pixel(node.x, node.y);
+    const line = svg("path", { class: "pulled" });
     this.links.append(line);
     port.setPointerCapture(event.pointerId);
-    port.onpointermove = (next) => line.setAttribute("d", `M${x0} ${y0}L${next.clientX - box.left} ${next.clientY - box.top}`);
+    port.onpointermove = (next) => line.setAttribute("d",
+      `M${x0} ${y0}L${next.clientX - box.left} ${next.clientY - box.top}`);
     port.onpointerup = port.onpointercancel = (end) => {
       port.onpointermove = port.onpointerup = port.onpointercancel = null;
       line.remove();
-      const over = document.elementsFromPoint(end.clientX, end.clientY).map((each) => each.closest<HTMLElement>(".node")).find((each) => each && each.dataset.id !== String(from));
+      const over = document.elementsFromPoint(end.clientX, end.clientY)
+        .map((each) => each.closest<HTMLElement>(".node")).find((each) => each && each.dataset.id !== String(from));
       if (over) this.link(from, Number(over.dataset.id));
     };
   }
@@ -259,7 +279,8 @@ export class SheetView {
 
   choose(ids: number[]): void {
     this.chosen = new Set(ids);
-    for (const each of this.layer.querySelectorAll<HTMLElement>(".node")) each.classList.toggle("chosen", this.chosen.has(Number(each.dataset.id)));
+    for (const each of this.layer.querySelectorAll<HTMLElement>(".node"))
+      each.classList.toggle("chosen", this.chosen.has(Number(each.dataset.id)));
     this.inspect();
   }
 
@@ -267,9 +288,11 @@ export class SheetView {
     const id = 1 + Math.max(0, ...this.sheet.nodes.map((node) => node.id));
     const chosen = [...this.chosen], [w, h] = this.picture.size;
     const last = this.sheet.nodes.find((node) => node.id === chosen[chosen.length - 1]);
-    const [x, y] = last ? [last.x + 60 * this.picture.scale, last.y + 20 * this.picture.scale] : this.picture.place(w / 2, h / 2);
+    const [x, y] = last ? [last.x + 60 * this.picture.scale, last.y + 20 * this.picture.scale]
+      : this.picture.place(w / 2, h / 2);
     const parents = kind.parents ? chosen : [];
-    this.sheet.nodes.push({ id, name: kind.name, x: this.snapped(x), y: this.snapped(y), code: kind.code, values: { ...kind.values }, parents });
+    this.sheet.nodes.push({ id, name: kind.name, x: this.snapped(x), y: this.snapped(y), code: kind.code,
+      values: { ...kind.values }, parents });
     this.draw();
     this.choose([id]);
     this.settle();
@@ -287,10 +310,14 @@ export class SheetView {
   private copied: SheetNode[] = [];
 
   private paste(): void {
-    const first = 1 + Math.max(0, ...this.sheet.nodes.map((node) => node.id)), number = new Map(this.copied.map((node, i) => [node.id, first + i]));
+    const first = 1 + Math.max(0, ...this.sheet.nodes.map((node) => node.id));
+    const number = new Map(this.copied.map((node, i) => [node.id, first + i]));
     const away = this.snapped(30 * this.picture.scale) || this.sheet.snap;
-    const made = this.copied.map((node) => ({ ...structuredClone(node), id: number.get(node.id)!, x: node.x + away, y: node.y - away,
-      parents: node.parents.map((id) => number.get(id) ?? id).filter((id) => id >= first || this.sheet.nodes.some((each) => each.id === id)) }));
+    const made = this.copied.map((node) => ({
+      ...structuredClone(node), id: number.get(node.id)!, x: node.x + away, y: node.y - away,
+      parents: node.parents.map((id) => number.get(id) ?? id)
+        .filter((id) => id >= first || this.sheet.nodes.some((each) => each.id === id)),
+    }));
     if (!made.length) return;
     this.sheet.nodes.push(...made);
     this.draw();
@@ -300,15 +327,18 @@ export class SheetView {
 
   private key(event: KeyboardEvent): void {
     if (event.target !== this.picture.host) return;
-    const chosen = this.sheet.nodes.filter((node) => this.chosen.has(node.id)), control = event.ctrlKey || event.metaKey;
-    const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const chosen = this.sheet.nodes.filter((node) => this.chosen.has(node.id));
+    const control = event.ctrlKey || event.metaKey;
+    const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1],
+      ArrowDown: [0, -1] };
     const way = arrows[event.key], step = (this.sheet.snap || 0.1) * (event.shiftKey ? 10 : 1);
     if (control && event.key === "c" && chosen.length) this.copied = structuredClone(chosen);
     else if (control && event.key === "v") this.paste();
     else if (control && event.key === "a") this.choose(this.sheet.nodes.map((node) => node.id));
     else if (control) return;
     else if (way && chosen.length) {
-      for (const node of chosen) node.x = this.snapped(node.x + way[0] * step), node.y = this.snapped(node.y + way[1] * step);
+      for (const node of chosen)
+        node.x = this.snapped(node.x + way[0] * step), node.y = this.snapped(node.y + way[1] * step);
       this.settle();
     } else if (event.key === "Delete" || event.key === "Backspace") this.remove();
     else if (event.key === "a") this.openPalette();
@@ -329,17 +359,23 @@ export class SheetView {
   }
 
   private inspect(): void {
-    const host = by("inspector"), node = this.chosen.size === 1 ? this.sheet.nodes.find((each) => this.chosen.has(each.id)) : undefined;
+    const host = by("inspector");
+    const node = this.chosen.size === 1 ? this.sheet.nodes.find((each) => this.chosen.has(each.id)) : undefined;
     pressed(by("remove-node"), false);
     by<HTMLButtonElement>("remove-node").disabled = !this.chosen.size;
     if (!node) {
       this.closeCode();
       this.inspected = "";
-      host.replaceChildren(element("p", { className: "quiet" }, this.chosen.size ? `${this.chosen.size} nodes` : this.sheet.nodes.length ? "Choose a node to see its numbers and its code; drag its ring to another node to link them." : "An empty sheet: + Node adds one."));
+      host.replaceChildren(element("p", { className: "quiet" },
+        this.chosen.size ? `${this.chosen.size} nodes`
+        : this.sheet.nodes.length
+        ? "Choose a node to see its numbers and its code; drag its ring to another node to link them."
+        : "An empty sheet: + Node adds one."));
       return;
     }
     const sliders = this.results.get(node.id)?.sliders ?? [];
-    const key = JSON.stringify([node.id, node.name, sliders.map((each) => [each.name, each.low, each.high, typeof each.value])]);
+    const key =
+      JSON.stringify([node.id, node.name, sliders.map((each) => [each.name, each.low, each.high, typeof each.value])]);
     const place = host.querySelector(".place");
     if (place) place.textContent = `${short(node.x, 6)}, ${short(node.y, 6)} mm`;
     if (key === this.inspected && this.code?.node === node.id) return;
@@ -349,15 +385,21 @@ export class SheetView {
     name.onchange = () => { node.name = name.value.trim() || "Node"; this.draw(); this.settle(); };
     const keep = element("button", { title: "Keep this node's code as a kind of node of your own" }, "Save as my own");
     keep.onclick = () => {
-      saveKind({ name: node.name, group: "My own", meaning: "", code: node.code, parents: node.parents.length, values: node.values });
+      saveKind({ name: node.name, group: "My own", meaning: "", code: node.code, parents: node.parents.length,
+        values: node.values });
       keep.textContent = "Saved";
     };
-    const head = element("div", { className: "row" }, name, element("span", { className: "place quiet" }, `${short(node.x, 6)}, ${short(node.y, 6)} mm`), element("span", { className: "space" }), keep);
+    const head = element("div", { className: "row" }, name, element("span", { className: "place quiet" },
+      `${short(node.x, 6)}, ${short(node.y, 6)} mm`), element("span", { className: "space" }), keep);
     const current = (): SheetNode | undefined => this.sheet.nodes.find((each) => each.id === node.id);
     const rows = sliders.map((each) => {
       const set = (value: number | string): void => { const now = current(); if (now) now.values[each.name] = value; };
       if (typeof each.value === "number")
-        return slider(each.name, each.value, [each.low ?? 0, each.high ?? 10], "", (value) => { this.moving = true; set(value); this.changed(); }, () => { this.moving = false; this.settle(); });
+        return slider(each.name, each.value, [each.low ?? 0, each.high ?? 10], "", (value) => {
+          this.moving = true;
+          set(value);
+          this.changed();
+        }, () => { this.moving = false; this.settle(); });
       const box = element("input", { value: each.value, ariaLabel: each.name });
       box.oninput = () => { set(box.value); this.settle(`${node.id} ${each.name}`); };
       return element("label", { className: "slider words" }, element("span", {}, each.name), box);
@@ -371,7 +413,10 @@ export class SheetView {
     }
     this.closeCode();
     host.replaceChildren(head, element("div", { className: "numbers" }, ...rows), holder);
-    const editor = codeEditor(holder, node.code, (text) => { const now = current(); if (now) { now.code = text; this.settle(`${node.id} code`); } });
+    const editor = codeEditor(holder, node.code, (text) => {
+      const now = current();
+      if (now) { now.code = text; this.settle(`${node.id} code`); }
+    });
     this.code = { node: node.id, editor };
     markLine(editor, this.results.get(node.id)?.line ?? null, this.mistakes.get(node.id) ?? null);
   }
@@ -387,11 +432,13 @@ export class SheetView {
   private listKinds(): void {
     const wanted = by<HTMLInputElement>("find-node").value.toLowerCase(), groups = new Map<string, NodeKind[]>();
     for (const kind of [...ownKinds(), ...this.kinds])
-      if (`${kind.name} ${kind.meaning} ${kind.group}`.toLowerCase().includes(wanted)) groups.set(kind.group, [...(groups.get(kind.group) ?? []), kind]);
-    by("nodes").replaceChildren(...[...groups].map(([group, kinds]) => element("section", {}, element("h3", {}, group), ...kinds.map((kind) => {
-      const button = element("button", { title: kind.meaning }, kind.name);
-      button.onclick = () => { by<HTMLDialogElement>("palette").close(); this.add(kind); this.picture.host.focus(); };
-      return button;
-    }))));
+      if (`${kind.name} ${kind.meaning} ${kind.group}`.toLowerCase().includes(wanted))
+        groups.set(kind.group, [...(groups.get(kind.group) ?? []), kind]);
+    by("nodes").replaceChildren(
+      ...[...groups].map(([group, kinds]) => element("section", {}, element("h3", {}, group), ...kinds.map((kind) => {
+        const button = element("button", { title: kind.meaning }, kind.name);
+        button.onclick = () => { by<HTMLDialogElement>("palette").close(); this.add(kind); this.picture.host.focus(); };
+        return button;
+      }))));
   }
 }

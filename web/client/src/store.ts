@@ -1,4 +1,5 @@
-// The document that is open: kept in the browser at each change and in its file soon after, so that neither's end loses it.
+// The document that is open. Each change is kept in the browser at once and in its file soon after, so that it outlives
+// the end of either.
 import { ask, Refusal } from "./server";
 
 interface Draft { text: string; base: string | null }
@@ -26,7 +27,8 @@ export class Store {
     this.text = text;
     const draft = this.draft(name);
     if (draft && draft.text !== text && (draft.base === this.version ||
-        confirm(`This browser has changes of “${name}” that are not in its file, which changed meanwhile. Take the browser's?`))) {
+        confirm(`This browser has changes of “${name}” that are not in its file, ` +
+          "which changed meanwhile. Take the browser's?"))) {
       this.change(draft.text);
     } else {
       localStorage.removeItem(draftKey(name));

@@ -1,12 +1,15 @@
 // The .frep text: an editor with the language's own words, mistakes at their places, and sliders for its parameters.
-import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
+import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, type CompletionContext,
+  type CompletionResult } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
 import { javascript } from "@codemirror/lang-javascript";
-import { bracketMatching, HighlightStyle, indentOnInput, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
+import { bracketMatching, HighlightStyle, indentOnInput, StreamLanguage,
+  syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { EditorState, type Extension } from "@codemirror/state";
-import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
+import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap,
+  lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { by, slider } from "./elements";
 import { Histogram } from "./scan";
@@ -31,7 +34,9 @@ const frep = StreamLanguage.define({
     if (stream.match(/^(#|\/\/).*/)) return "comment";
     if (stream.match(/^"(\\.|[^"\\])*"?/)) return "string";
     if (stream.match(/^(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?/)) return "number";
-    if (stream.match(/^[A-Za-z_]\w*/)) return words.has(stream.current()) ? "variableName.function" : stream.match(/^\s*=(?!=)/, false) ? "variableName.definition" : null;
+    if (stream.match(/^[A-Za-z_]\w*/))
+      return words.has(stream.current()) ? "variableName.function"
+        : stream.match(/^\s*=(?!=)/, false) ? "variableName.definition" : null;
     stream.next();
     return "operator";
   },
@@ -41,13 +46,15 @@ const frep = StreamLanguage.define({
 async function complete(context: CompletionContext): Promise<CompletionResult | null> {
   if (!context.explicit && !context.matchBefore(/\w+/)) return null;
   try {
-    const found = await post<{ from: number; to: number; entries: { kind: string; name: string; signature: string; meaning: string; insert: string }[] }>(
-      "/api/words", { text: context.state.doc.toString(), offset: context.pos });
+    const found = await post<{ from: number; to: number;
+      entries: { kind: string; name: string; signature: string; meaning: string; insert: string }[] }>(
+        "/api/words", { text: context.state.doc.toString(), offset: context.pos });
     const options = found.entries.map((each) => ({
       label: each.name, detail: each.signature.replace(each.name, ""), info: each.meaning || undefined, type: each.kind,
       apply: (view: EditorView, _: unknown, from: number, to: number) => {
         const at = from + (each.insert.endsWith("()") ? each.insert.length - 1 : each.insert.length);
-        view.dispatch({ changes: { from, to, insert: each.insert }, selection: { anchor: at }, userEvent: "input.complete" });
+        view.dispatch({ changes: { from, to, insert: each.insert }, selection: { anchor: at },
+          userEvent: "input.complete" });
       },
     }));
     return { from: found.from, options, validFor: /^\w*$/ };
@@ -61,11 +68,15 @@ const nonce = document.querySelector<HTMLMetaElement>('meta[name="style-nonce"]'
 /** What every editor of the page has. */
 function common(changed: (text: string, byHand: boolean) => void): Extension[] {
   return [
-    EditorView.cspNonce.of(nonce), lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), history({ minDepth: 100_000 }), drawSelection(), indentOnInput(), bracketMatching(),
-    closeBrackets(), highlightSelectionMatches(), syntaxHighlighting(colours), EditorView.lineWrapping, EditorState.tabSize.of(2),
-    keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, indentWithTab]),
+    EditorView.cspNonce.of(nonce), lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(),
+    history({ minDepth: 100_000 }), drawSelection(), indentOnInput(), bracketMatching(),
+    closeBrackets(), highlightSelectionMatches(), syntaxHighlighting(colours), EditorView.lineWrapping,
+    EditorState.tabSize.of(2),
+    keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap,
+      indentWithTab]),
     EditorView.updateListener.of((update) => {
-      if (update.docChanged) changed(update.state.doc.toString(), !update.transactions.some((each) => each.isUserEvent("slider")));
+      if (update.docChanged)
+        changed(update.state.doc.toString(), !update.transactions.some((each) => each.isUserEvent("slider")));
     }),
     EditorView.contentAttributes.of({ "aria-label": "Text" }),
   ];
@@ -80,7 +91,8 @@ export class TextView {
 
   constructor() {
     this.editor = new EditorView({ parent: by("editor"), state: this.state("", false) });
-    this.histogram.onLevel = (name, value) => this.slide(this.parameters.findIndex((each) => each.name === name), value);
+    this.histogram.onLevel = (name, value) => this.slide(this.parameters.findIndex((each) => each.name === name),
+      value);
   }
 
   private quiet = false;
@@ -115,13 +127,16 @@ export class TextView {
     const end = this.editor.state.doc.length;
     const found = mistakes.map((each) => {
       const from = Math.min(each.offset, end);
-      return { from, to: Math.min(end, from + Math.max(1, each.length)), severity: "error" as const, message: each.message };
+      return { from, to: Math.min(end, from + Math.max(1, each.length)), severity: "error" as const,
+        message: each.message };
     });
     this.editor.dispatch(setDiagnostics(this.editor.state, found));
     const box = by("message");
     box.hidden = message === null;
     const first = mistakes[0];
-    box.textContent = message === null ? "" : first ? `Line ${first.line}, column ${first.column}: ${first.message}${mistakes.length > 1 ? ` (and ${mistakes.length - 1} more)` : ""}` : message;
+    const others = mistakes.length > 1 ? ` (and ${mistakes.length - 1} more)` : "";
+    box.textContent = message === null ? ""
+      : first ? `Line ${first.line}, column ${first.column}: ${first.message}${others}` : message;
     box.onclick = () => {
       if (!first) return;
       this.editor.dispatch({ selection: { anchor: Math.min(first.offset, end) }, scrollIntoView: true });
@@ -141,14 +156,16 @@ export class TextView {
     if (rows === this.rows && sliding) return;
     this.rows = rows;
     by("sliders").replaceChildren(...parameters.map((each, i) => slider(
-      each.name, each.value, each.range ?? [Math.min(0, 2 * each.value), Math.max(0, 2 * each.value) || 1], each.comment, (value) => this.slide(i, value), () => {})));
+      each.name, each.value, each.range ?? [Math.min(0, 2 * each.value), Math.max(0, 2 * each.value) || 1],
+      each.comment, (value) => this.slide(i, value), () => {})));
   }
 
   private slide(i: number, value: number): void {
     const parameter = this.parameters[i];
     if (!parameter) return;
     const digits = String(value);
-    this.editor.dispatch({ changes: { from: parameter.offset, to: parameter.offset + parameter.length, insert: digits }, userEvent: "slider" });
+    this.editor.dispatch({ changes: { from: parameter.offset, to: parameter.offset + parameter.length, insert: digits },
+      userEvent: "slider" });
     const longer = digits.length - parameter.length;
     parameter.length = digits.length;
     for (const each of this.parameters) if (each.offset > parameter.offset) each.offset += longer;
@@ -157,10 +174,12 @@ export class TextView {
 
 /** A small editor of a node's JavaScript. */
 export function codeEditor(parent: HTMLElement, text: string, changed: (text: string) => void): EditorView {
-  return new EditorView({ parent, state: EditorState.create({ doc: text, extensions: [...common((now) => changed(now)), javascript()] }) });
+  return new EditorView({ parent,
+    state: EditorState.create({ doc: text, extensions: [...common((now) => changed(now)), javascript()] }) });
 }
 
 export function markLine(editor: EditorView, line: number | null, message: string | null): void {
   const at = line !== null && line >= 1 && line <= editor.state.doc.lines ? editor.state.doc.line(line) : null;
-  editor.dispatch(setDiagnostics(editor.state, message === null ? [] : [{ from: at?.from ?? 0, to: at?.to ?? editor.state.doc.length, severity: "error", message }]));
+  editor.dispatch(setDiagnostics(editor.state, message === null ? []
+    : [{ from: at?.from ?? 0, to: at?.to ?? editor.state.doc.length, severity: "error", message }]));
 }
