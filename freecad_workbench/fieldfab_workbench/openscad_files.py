@@ -43,8 +43,10 @@ def _parts(tree, filename):
     except TooLarge:
         root, shown, branches = Part("design", "text", {"Text": tree[0].text(), "Folder": folder}), [], 1
     if branches:
-        FreeCAD.Console.PrintMessage(tr("{filename}: more than {most} parts; {count} branches became one object each, with their text").format(
-            filename=filename, most=MOST_PARTS, count=branches) + "\n")
+        FreeCAD.Console.PrintMessage(tr(
+                                        "{filename}: more than {most} parts; {count} branches became one object "
+                                        "each, with their text").format(
+                                            filename=filename, most=MOST_PARTS, count=branches) + "\n")
     return (root, shown) if tree[0].dimensions else (None, [])
 
 

@@ -127,18 +127,21 @@ KINDS = {
         Argument("r2", "Length", (described("TopRadius", "Radius of the upper circle"),), (1,)), CENTRED, *FRAGMENTS)),
     "polyhedron": Kind("polyhedron", (
         Argument("points", "VectorList", (described("Points", "Corners"),), ((),)),
-        Argument("faces", "StringList", (described("Faces", "Corners of each face, clockwise from outside, numbered from 0"),), ((),)))),
+        Argument("faces", "StringList",
+                 (described("Faces", "Corners of each face, clockwise from outside, numbered from 0"),), ((),)))),
     "square": Kind("square", (Argument("size", "Length", (LENGTH, WIDTH), (1, 1)), CENTRED)),
     "circle": Kind("circle", (RADIUS, *FRAGMENTS)),
     "polygon": Kind("polygon", (
         Argument("points", "VectorList", (described("Points", "Corners"),), ((),)),
-        Argument("paths", "StringList", (described("Paths", "Corners of each outline, numbered from 0; empty: all in their order"),), ((),)))),
+        Argument("paths", "StringList", (
+            described("Paths", "Corners of each outline, numbered from 0; empty: all in their order"),), ((),)))),
     "text": Kind("text", (
         Argument("text", "String", (described("Words", "Text to be written"),), ("",)),
         Argument("size", "Length", (described("TextSize", "Height of a capital letter"),), (10,)),
         Argument("font", "String", (described("Font", "Name of the font, also with style=..."),), ("",)),
         Argument("halign", "String", (described("HorizontalAlignment", "left, center or right"),), ("left",)),
-        Argument("valign", "String", (described("VerticalAlignment", "baseline, bottom, center or top"),), ("baseline",)),
+        Argument("valign", "String", (described("VerticalAlignment", "baseline, bottom, center or top"),),
+                 ("baseline",)),
         Argument("spacing", "Float", (described("Spacing", "Spacing of the letters; 1 is normal"),), (1,)),
         Argument("direction", "String", (described("WritingDirection", "ltr, rtl, ttb or btt"),), ("ltr",)),
         Argument("language", "String", (described("Language", "Language of the text: en, de, ..."),), ("en",)),
@@ -146,28 +149,45 @@ KINDS = {
     "linear_extrude": Kind("linear_extrude", (
         Argument("height", "Length", (HEIGHT,), (100,)), CENTRED,
         Argument("twist", "Angle", (described("Twist", "Rotation of the upper end against the lower"),), (0,)),
-        Argument("scale", "Float", (described("ScaleX", "Scale of the upper end along x"), described("ScaleY", "Scale of the upper end along y")), (1, 1)),
-        Argument("slices", "Float", (described("Slices", "Number of slices if twisted or scaled; 0: from Fn, Fa and Fs"),), (0,)), *FRAGMENTS), True),
-    "rotate_extrude": Kind("rotate_extrude", (Argument("angle", "Angle", (described("Angle", "Angle of the revolution, from the x axis"),), (360,)), *FRAGMENTS), True),
+        Argument("scale", "Float", (described("ScaleX", "Scale of the upper end along x"),
+                                    described("ScaleY", "Scale of the upper end along y")), (1, 1)),
+        Argument("slices", "Float", (described("Slices",
+                                               "Number of slices if twisted or scaled; 0: from Fn, Fa and Fs"),), (0,)),
+        *FRAGMENTS), True),
+    "rotate_extrude": Kind("rotate_extrude", (
+        Argument("angle", "Angle", (described("Angle", "Angle of the revolution, from the x axis"),), (360,)),
+        *FRAGMENTS), True),
     "hull": Kind("hull", (), True),
     "minkowski": Kind("minkowski", (), True),
-    "projection": Kind("projection", (Argument("cut", "Bool", (described("Cut", "Section at z = 0 instead of the projection"),), (False,)),), True),
+    "projection": Kind("projection", (
+        Argument("cut", "Bool", (described("Cut", "Section at z = 0 instead of the projection"),), (False,)),), True),
     "offset": Kind("offset", (
         Argument("delta", "Distance", (described("Distance", "Distance outwards; negative values inwards"),), (0,)),
         Argument("chamfer", "Bool", (described("Chamfered", "Cut off the corners"),), (False,))), True),
-    "round offset": Kind("offset", (Argument("r", "Distance", (described("Distance", "Distance outwards; negative values inwards"),), (0,)), *FRAGMENTS), True),
+    "round offset": Kind("offset", (
+        Argument("r", "Distance", (described("Distance", "Distance outwards; negative values inwards"),), (0,)),
+        *FRAGMENTS), True),
     "resize": Kind("resize", (
-        Argument("newsize", "Length", (described("NewLength", "Length along x; 0: unchanged"), described("NewWidth", "Width along y; 0: unchanged"),
-                                       described("NewHeight", "Height along z; 0: unchanged")), (0, 0, 0)),
-        Argument("auto", "Bool", (described("AutoLength", "Scale the length in proportion if NewLength is 0"), described("AutoWidth", "Scale the width in proportion if NewWidth is 0"),
-                                  described("AutoHeight", "Scale the height in proportion if NewHeight is 0")), (False, False, False))), True),
-    "multmatrix": Kind("multmatrix", (Argument("", "Matrix", (described("Matrix", "Transformation of the children"),), (None,)),), True),
+        Argument("newsize", "Length",
+                 (described("NewLength", "Length along x; 0: unchanged"),
+                  described("NewWidth", "Width along y; 0: unchanged"),
+                  described("NewHeight", "Height along z; 0: unchanged")), (0, 0, 0)),
+        Argument("auto", "Bool", (described("AutoLength", "Scale the length in proportion if NewLength is 0"),
+                                  described("AutoWidth", "Scale the width in proportion if NewWidth is 0"),
+                                  described("AutoHeight", "Scale the height in proportion if NewHeight is 0")),
+                 (False, False, False))), True),
+    "multmatrix": Kind("multmatrix",
+                       (Argument("", "Matrix", (described("Matrix",
+                                                          "Transformation of the children"),), (None,)),), True),
     "import": Kind("import", (
         FILE, Argument("layer", "String", (described("Layer", "Layer of a .dxf file; empty: all layers"),), ("",)),
-        Argument("origin", "Float", (described("OriginX", "Origin of the drawing in a .dxf file"), described("OriginY", "Origin of the drawing in a .dxf file")), (0, 0)),
+        Argument("origin", "Float", (described("OriginX", "Origin of the drawing in a .dxf file"),
+                                     described("OriginY", "Origin of the drawing in a .dxf file")), (0, 0)),
         Argument("scale", "Float", (described("Scale", "Scale of the drawing in a .dxf or .svg file"),), (1,)),
         CENTRED, Argument("dpi", "Float", (described("Dpi", "Dots per inch of an .svg file"),), (72,)), *FRAGMENTS)),
-    "surface": Kind("surface", (FILE, CENTRED, Argument("invert", "Bool", (described("Inverted", "Dark parts of a picture are high"),), (False,)))),
+    "surface": Kind("surface", (
+        FILE, CENTRED, Argument("invert", "Bool", (described("Inverted",
+            "Dark parts of a picture are high"),), (False,)))),
 }
 
 

@@ -188,7 +188,8 @@ def _placed(operation):
         return operation.Path
     path, way = type(operation.Path)(), operation.Placement
     if way.Rotation.Angle:
-        raise ValueError(tr("{label}: its Placement turns the path, which a program cannot express").format(label=operation.Label))
+        raise ValueError(tr("{label}: its Placement turns the path, which a program cannot express").format(
+            label=operation.Label))
     for command in operation.Path.Commands:
         moved = {name: value + way.Base["XYZ".index(name)] if name in "XYZ" else value
                  for name, value in command.Parameters.items()}

@@ -184,9 +184,11 @@ COMMANDS = {
         "Save asks for the file name; the default is the part's name."),
     "Fieldfab_SetupSheet": SetupSheet(
         "SetupSheet", "Set-up sheet", "Show the page for the machine operator",
-        "Opens the set-up sheet of the planned program in the browser: stock, zero, tools, times and pictures, ready to be printed."),
+        "Opens the set-up sheet of the planned program in the browser: "
+        "stock, zero, tools, times and pictures, ready to be printed."),
     "Fieldfab_ToPath": ToPath(
-        "ToPath", "To Path job", "Add the program's operations to a job of FreeCAD's Path workbench",
-        "Puts the planned operations as paths into a job of FreeCAD's Path workbench: into the selected or the first one of the document, else into a new "
-        "one with the set-up's stock and tools. The paths follow the program."),
+        "ToPath", "To Path job",
+        "Add the program's operations to a job of FreeCAD's Path workbench",
+        "Puts the planned operations as paths into a job of FreeCAD's Path workbench: into the selected or the first "
+        "one of the document, else into a new one with the set-up's stock and tools. The paths follow the program."),
 }

@@ -69,8 +69,10 @@ class OnStartPage(Command):
             for path in documents():
                 if not os.path.exists(os.path.join(copies(), os.path.basename(path))):
                     shutil.copy(path, copies())
-        FreeCAD.ParamGet(START_PAGE).SetString("ShowCustomFolder", BETWEEN.join([*others, copies()] if wanted else others))
-        FreeCADGui.getMainWindow().statusBar().showMessage(tr("FreeCAD's start page is updated when it is opened the next time"), 10000)
+        FreeCAD.ParamGet(START_PAGE).SetString("ShowCustomFolder",
+                                               BETWEEN.join([*others, copies()] if wanted else others))
+        FreeCADGui.getMainWindow().statusBar().showMessage(
+            tr("FreeCAD's start page is updated when it is opened the next time"), 10000)
 
 
 TITLE = "Examples"
@@ -86,12 +88,14 @@ COMMANDS = {
         "Opens a copy of an example: a knob of .frep text, and a solid made of it by Lattice infill. "
         "Change the wall or the lattice by a double-click."),
     "Fieldfab_ExampleMachining": Example(
-        "machining.FCStd", "CamSetup", "Knob milled in five axes", "Open a CAM job with a planned five-axis program, as a new document",
+        "machining.FCStd", "CamSetup", "Knob milled in five axes",
+        "Open a CAM job with a planned five-axis program, as a new document",
         "Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that tilts "
         "with the surface, and the planned program. A double-click on the set-up shows its stages."),
     "Separator_Examples": None,
     "Fieldfab_ExamplesOnStartPage": OnStartPage(
-        "ShapeGallery", "Show on the start page", "Show copies of the examples on FreeCAD's start page, or remove them",
-        "Copies the examples into your own folder of FreeCAD and shows this folder on the start page, besides the folders that you have chosen there. A "
-        "second press takes the folder from the page again; the copies stay."),
+        "ShapeGallery", "Show on the start page",
+        "Show copies of the examples on FreeCAD's start page, or remove them",
+        "Copies the examples into your own folder of FreeCAD and shows this folder on the start page, besides the "
+        "folders that you have chosen there. A second press takes the folder from the page again; the copies stay."),
 }

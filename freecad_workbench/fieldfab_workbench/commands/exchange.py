@@ -104,11 +104,13 @@ def _chosen_solids():
 TITLE = "Check and exchange"
 COMMANDS = {
     "Fieldfab_CrossCheck": CrossCheck(
-        "CrossCheck", "Cross-check", "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates",
+        "CrossCheck", "Cross-check",
+        "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates",
         "Checks one selected solid against OpenVDB and CGAL in the background, and shows each figure with its "
         "bound. The mesh has the colours of its deviations until the panel is closed; the document is not changed."),
     "Fieldfab_ShowUncertainPlaces": ShowUncertainPlaces(
-        "UncertainPlaces", "Show uncertain places", "Show where the mesh of the selected solid may lack parts, or hide these places again",
+        "UncertainPlaces", "Show uncertain places",
+        "Show where the mesh of the selected solid may lack parts, or hide these places again",
         "Draws a box around each place where the mesh is not proved to show the whole selected solid, and zooms to "
         "the largest. Choose it again to remove the boxes. It is disabled if the mesh is certain; smaller cells "
         "leave fewer and smaller places."),

@@ -89,7 +89,8 @@ def _parts_of(path, progress):
                     for solid, name, colour in fieldfab.parse_parts(answer[3:])]
         except fieldfab.Error as error:
             raise ValueError(f"{path}: {error}") from None
-    _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("the process ended without a result"))
+    _, line, message = (
+        answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("the process ended without a result")))
     raise ValueError(f"{path}{':' + line if line != '0' else ''}: {message}")
 
 

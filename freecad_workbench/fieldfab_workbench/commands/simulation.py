@@ -41,7 +41,9 @@ class PlaySimulation(Command):
 TITLE = "Simulation"
 COMMANDS = {
     "Fieldfab_SimulateProgram": SimulateProgram(
-        "Simulation", "Simulate program", "Simulate a machine's program on a stock: from a file, or from the selected Path operation, Job or machine program",
+        "Simulation", "Simulate program",
+            "Simulate a machine's program on a stock: from a file, or from the selected Path operation, Job or "
+            "machine program",
         "Simulates a machine's program on a stock and plays it in the 3D view. Select a machine program, a Path "
         "operation or a Job, or choose a file in the panel, which also asks for the stock, the tools, the machine "
         "and the target."),

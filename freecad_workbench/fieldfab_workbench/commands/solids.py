@@ -54,7 +54,8 @@ COMMANDS = {
         "Makes a solid from .frep text or a prefix math string; nothing needs to be selected. The panel has an editor, "
         "a slider for each number of the text, and the resolution; the solid is seen while it is written."),
     "Fieldfab_SolidFromObject": NewSolid(
-        solid_from_object.SolidFromObject, "Solid from object", "Make a solid of the selected mesh, Part object or body",
+        solid_from_object.SolidFromObject, "Solid from object",
+        "Make a solid of the selected mesh, Part object or body",
         "Makes a solid of a mesh, a Part object or a body, which follows that object. Select the object first. "
         "Holes and overlaps of a mesh do no harm; the panel asks how far triangles may be from a Part shape.", 1),
     "Fieldfab_Union": NewSolid(
@@ -78,7 +79,8 @@ COMMANDS = {
     "Fieldfab_Morph": NewSolid(
         combine.Combine, "Morph", "Make a solid between two selected solids",
         "Makes a solid between two others. Select both; the panel asks for the weight: 0 gives the first, 1 the "
-        "second.", 2, Operation="Morph"),
+        "second.",
+        2, Operation="Morph"),
     "Fieldfab_Offset": NewSolid(
         modify.Modify, "Offset", "Grow or shrink the selected solid",
         "Makes a solid whose surface lies at a distance from that of the selected one. "
@@ -87,7 +89,8 @@ COMMANDS = {
     "Fieldfab_Shell": NewSolid(
         modify.Modify, "Shell", "Hollow the selected solid",
         "Makes a hollow solid of the selected one, with the same outer surface. The panel asks for the wall's "
-        "thickness.", 1, Operation="Shell"),
+        "thickness.", 1,
+        Operation="Shell"),
     "Fieldfab_LatticeInfill": NewSolid(
         modify.Modify, "Lattice infill", "Hollow the selected solid and fill it with a lattice",
         "Makes a light solid of the selected one: a wall, and a lattice inside. The panel asks for the wall, "
@@ -104,7 +107,8 @@ COMMANDS = {
         Operation="Linear array"),
     "Fieldfab_PolarArray": NewSolid(
         modify.Modify, "Polar array", "Copy the selected solid around an axis",
-        "Makes one solid of copies of the selected one around an axis. The panel asks for the axis, the number of copies and the angle that they fill.", 1,
+        "Makes one solid of copies of the selected one around an axis. "
+        "The panel asks for the axis, the number of copies and the angle that they fill.", 1,
         Operation="Polar array"),
     "Fieldfab_Transform": NewSolid(
         modify.Modify, "Transform", "Scale, turn and move the selected solid",

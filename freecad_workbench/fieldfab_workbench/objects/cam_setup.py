@@ -19,18 +19,24 @@ class CamSetup(WithSettings):
 
     def add_properties(self, obj):
         self.add(obj, "Link", "Part", "Part", "Solid to be machined")
-        self.add_choice(obj, "Zero", "Part", "Zero of the program: that of the model, or the corner or centre of the part's top",
+        self.add_choice(obj, "Zero", "Part",
+                        "Zero of the program: that of the model, or the corner or centre of the part's top",
                         ZEROS)
         self.add_choice(obj, "Machine", "Machine", "Machine that the program is written for", workflow.machines())
         if "Material" not in obj.PropertiesList:
             obj.Machine = "linuxcnc"
-            self.add_choice(obj, "Material", "Machine", "Workpiece material, which selects the machine's default settings", (NO_MATERIAL,))
-        self.add_choice(obj, "StockFrom", "Stock", "Size of the stock: margins around the part, a box, or the bounding box of an object", STOCKS)
+            self.add_choice(obj, "Material", "Machine",
+                            "Workpiece material, which selects the machine's default settings", (NO_MATERIAL,))
+        self.add_choice(obj, "StockFrom", "Stock",
+                        "Size of the stock: margins around the part, a box, or the bounding box of an object", STOCKS)
         self.add(obj, "Length", "Margin", "Stock", "Margin at the sides of the part", 2)
         self.add(obj, "Length", "Top", "Stock", "Margin above the part", 1)
-        self.add(obj, "Length", "Thickness", "Stock", "Thickness of the stock from its top; 0: down to the lowest point of the part", 0)
-        self.add(obj, "Vector", "StockLower", "Stock", "Lower corner of the stock, in the document's coordinates", FreeCAD.Vector(-20, -20, -20))
-        self.add(obj, "Vector", "StockUpper", "Stock", "Upper corner of the stock, in the document's coordinates", FreeCAD.Vector(20, 20, 0))
+        self.add(obj, "Length", "Thickness", "Stock",
+                 "Thickness of the stock from its top; 0: down to the lowest point of the part", 0)
+        self.add(obj, "Vector", "StockLower", "Stock", "Lower corner of the stock, in the document's coordinates",
+                 FreeCAD.Vector(-20, -20, -20))
+        self.add(obj, "Vector", "StockUpper", "Stock", "Upper corner of the stock, in the document's coordinates",
+                 FreeCAD.Vector(20, 20, 0))
         self.add(obj, "Link", "StockObject", "Stock", "Object whose bounding box is the stock")
         self.add(obj, "LinkList", "Tools", "CAM", "Tools of the CAM job")
         self.add(obj, "LinkList", "Operations", "CAM", "Operations in the order of the program")

@@ -14,7 +14,8 @@ SHAPES = marked({
 # Properties by their names in job files (docs/cam.md).
 LENGTHS = {
     "diameter": described("Diameter", "Greatest diameter of the cutting part", 3),
-    "corner_radius": described("CornerRadius", "Corner radius of a bull-nose, or tip radius of a tapered ball end mill", 0.5),
+    "corner_radius": described("CornerRadius",
+                               "Corner radius of a bull-nose, or tip radius of a tapered ball end mill", 0.5),
     "tip_diameter": described("TipDiameter", "Diameter of the flat tip of a V-bit", 0),
     "flute": described("Flute", "Length of the cutting edges; 0: unknown", 0),
     "length": described("StickOut", "Distance from the tip to the holder; 0: unknown", 0),
@@ -48,7 +49,8 @@ class CamTool(DocumentObject):
         self.add(obj, "IntegerConstraint", "Flutes", "Tool", "Number of cutting edges", (2, 1, 100, 1))
         self.add(obj, "Speed", "Feed", "Speeds", "Feed rate of cuts; 0: that of the material or the operation", 0)
         self.add(obj, "Speed", "Plunge", "Speeds", "Feed rate of plunges; 0: that of the material or the operation", 0)
-        self.add(obj, "FloatConstraint", "Spindle", "Speeds", "Spindle speed in rpm; 0: that of the material or the operation", (0.0, 0.0, 1e6, 100.0))
+        self.add(obj, "FloatConstraint", "Spindle", "Speeds",
+                 "Spindle speed in rpm; 0: that of the material or the operation", (0.0, 0.0, 1e6, 100.0))
         self.show_what_matters(obj)
 
     def onBeforeChange(self, obj, name):

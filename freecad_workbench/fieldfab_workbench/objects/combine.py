@@ -18,10 +18,13 @@ class Combine(Solid):
 
     def add_own_properties(self, obj):
         if "Operation" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Operation", "Combine", "How the sources are combined").Operation = list(OPERATIONS)
+            obj.addProperty("App::PropertyEnumeration", "Operation", "Combine",
+                            "How the sources are combined").Operation = list(OPERATIONS)
         self.add(obj, "LinkList", "Sources", "Combine", "Solids, meshes, Part objects or bodies, in order")
         self.add(obj, "Length", "Radius", "Combine", "Fillet radius of a blend", 2)
-        self.add(obj, "FloatConstraint", "Weight", "Combine", "Weight of a morph: 0 gives the first source, 1 the second", (0.5, 0.0, 1.0, 0.05))
+        self.add(obj, "FloatConstraint", "Weight", "Combine",
+                 "Weight of a morph: 0 gives the first source, 1 the second",
+                 (0.5, 0.0, 1.0, 0.05))
         self.show_what_matters(obj)
 
     def onChanged(self, obj, name):

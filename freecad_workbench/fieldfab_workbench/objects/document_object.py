@@ -83,7 +83,8 @@ class WithSettings(DocumentObject):
             return
         self._settling = True
         try:
-            self.add(obj, "StringList", "Given", "Result", "Settings that have a value of their own; the others have their defaults", mode=4)
+            self.add(obj, "StringList", "Given", "Result",
+                     "Settings that have a value of their own; the others have their defaults", mode=4)
             for stage in self.stages(obj):
                 for setting in stage.settings:
                     self._settle(obj, stage, setting)

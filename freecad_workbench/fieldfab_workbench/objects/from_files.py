@@ -16,8 +16,10 @@ class FromFiles(Solid):
         """A property of a file or folder that stays outside."""
         self.add(obj, "File" if name == "File" else "Path", name, group, words)
         mode = outside.HIDDEN | outside.OUTPUT
-        self.add(obj, "String", f"{name}Beside", "Result", "The same path, relative to the document's folder", mode=mode)
-        self.add(obj, "StringList", "Stamps", "Result", "Sizes and modification times of the files it was made from", mode=mode)
+        self.add(obj, "String", f"{name}Beside", "Result",
+                 "The same path, relative to the document's folder", mode=mode)
+        self.add(obj, "StringList", "Stamps", "Result",
+                 "Sizes and modification times of the files it was made from", mode=mode)
 
     def onChanged(self, obj, name):
         if name in outside.NAMES and not obj.Document.Restoring and not obj.Document.Transacting:

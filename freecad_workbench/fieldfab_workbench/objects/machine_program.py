@@ -28,12 +28,15 @@ class MachineProgram(DocumentObject):
         self.add(obj, "StringList", "Notes", "Program", "Notes on the program", mode=1)
         self.add(obj, "Vector", "Zero", "Program", "The program's zero in the document's coordinates", mode=1)
         self.add(obj, "String", "PackedProgram", "Result", "Machine file, compressed", mode=4)
-        self.add(obj, "String", "PackedSheet", "Result", "Set-up sheet as an HTML page, compressed", mode=4)
+        self.add(obj, "String", "PackedSheet", "Result", "Set-up sheet as an HTML page, compressed",
+                 mode=4)
         self.add(obj, "String", "PackedMoves", "Result", "All moves as a NumPy array, compressed", mode=4)
         self.add(obj, "String", "Sections", "Result", "Tool and settings of each operation, as JSON", mode=4)
         self.add(obj, "String", "Job", "Result", "The job that it was planned from (docs/cam.md)", mode=4)
         self.add(obj, "String", "Extension", "Result", "Extension of the machine file", mode=4)
-        self.add(obj, "String", "MadeFrom", "Result", "Digest of the input; the program is planned again when it changes", mode=4)
+        self.add(obj, "String", "MadeFrom", "Result",
+                 "Digest of the input; the program is planned again when it changes",
+                 mode=4)
 
     @staticmethod
     def program(obj):

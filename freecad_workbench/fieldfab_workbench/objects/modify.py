@@ -41,7 +41,8 @@ class Modify(Solid):
 
     def add_own_properties(self, obj):
         if "Operation" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Operation", "Modify", "How the source is modified").Operation = list(OPERATIONS)
+            obj.addProperty("App::PropertyEnumeration", "Operation", "Modify",
+                            "How the source is modified").Operation = list(OPERATIONS)
         if "Lattice" not in obj.PropertiesList:
             obj.addProperty("App::PropertyEnumeration", "Lattice", "Modify", "Kind of lattice").Lattice = list(LATTICES)
         add = functools.partial(self.add, obj)
@@ -50,10 +51,12 @@ class Modify(Solid):
         add("Length", "Wall", "Modify", "Thickness of the wall, inwards; 0 for a lattice without one", 1.2)
         add("Length", "Period", "Modify", "Edge length of a lattice cell", 10)
         add("Length", "Strut", "Modify", "Thickness of the lattice's walls", 1)
-        add("Vector", "Direction", "Modify", "Normal of the mirror plane, or direction of the axis", FreeCAD.Vector(0, 0, 1))
+        add("Vector", "Direction", "Modify",
+            "Normal of the mirror plane, or direction of the axis", FreeCAD.Vector(0, 0, 1))
         add("Vector", "Centre", "Modify", "Point on the mirror plane or axis")
         add("Bool", "KeepOriginal", "Modify", "Unite the mirror image with the original", True)
-        add("Vector", "Step", "Modify", "Step from one copy to the next, or the move of a transform", FreeCAD.Vector(20, 0, 0))
+        add("Vector", "Step", "Modify",
+            "Step from one copy to the next, or the move of a transform", FreeCAD.Vector(20, 0, 0))
         add("IntegerConstraint", "Count", "Modify", "Number of copies, including the original", (4, 1, 1000, 1))
         add("Angle", "Angle", "Modify", "Angle that the copies fill; 360 degrees is a full turn", 360)
         add("Vector", "Factors", "Modify", "Scale factors along x, y and z", FreeCAD.Vector(1, 1, 1))

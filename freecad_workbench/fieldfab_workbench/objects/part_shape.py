@@ -22,19 +22,22 @@ class PartShape(DocumentObject):
     def add_properties(self, obj):
         add = self.add
         add(obj, "Link", "Source", "Shape", "A solid or a mesh")
-        add(obj, "IntegerConstraint", "MostTriangles", "Shape", "The mesh is reduced to about as many triangles; FreeCAD is slow with more than some thousands",
+        add(obj, "IntegerConstraint", "MostTriangles", "Shape",
+            "The mesh is reduced to about as many triangles; FreeCAD is slow with more than some thousands",
             (2000, 12, 50000, 500))
         add(obj, "Bool", "MergeFaces", "Shape", "Merge coplanar triangles into one face", True)
         add(obj, "Integer", "Faces", "Result", "Number of faces of the shape", mode=1)
         add(obj, "Float", "VolumeChange", "Result", "Volume of the shape above that of the solid, in percent", mode=1)
-        add(obj, "String", "MadeFrom", "Result", "Digest of the input; the shape is made again when it changes", mode=4)
+        add(obj, "String", "MadeFrom", "Result", "Digest of the input; the shape is made again when it changes",
+            mode=4)
 
     def execute(self, obj):
         """Makes the shape. What goes wrong is raised: FreeCAD then marks the object, which keeps the shape it had."""
         if obj.Source is None or not hasattr(obj.Source, "Mesh"):
             raise ValueError(tr("{label}: choose a solid or a mesh as its Source").format(label=obj.Label))
         if not obj.Source.isValid():
-            raise ValueError(tr("{label}: {source} has failed; the shape is unchanged").format(label=obj.Label, source=obj.Source.Label))
+            raise ValueError(tr("{label}: {source} has failed; the shape is unchanged").format(
+                label=obj.Label, source=obj.Source.Label))
         made_from = hashlib.sha1(repr((_content(obj.Source), obj.MostTriangles, obj.MergeFaces)).encode()).hexdigest()
         if obj.MadeFrom != made_from:
             mesh = obj.Source.Mesh.copy()

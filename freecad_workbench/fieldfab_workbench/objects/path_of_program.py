@@ -11,7 +11,8 @@ from .document_object import DocumentObject
 from .machine_program import machine_file, sections_of
 
 
-HEIGHTS = (described("StartDepth", "z at which cutting begins"), described("FinalDepth", "Lowest z of the path"), described("SafeHeight", "z of rapids"),
+HEIGHTS = (described("StartDepth", "z at which cutting begins"), described("FinalDepth", "Lowest z of the path"),
+           described("SafeHeight", "z of rapids"),
            described("ClearanceHeight", "z of rapids"))
 
 
@@ -23,7 +24,8 @@ class PathOfProgram(DocumentObject):
 
     def add_properties(self, obj):
         self.add(obj, "Link", "Program", "Path", "The machine program that it follows")
-        self.add(obj, "Integer", "Section", "Path", "Index of the operation, from 0; -1: all operations, as in the machine file", 0)
+        self.add(obj, "Integer", "Section", "Path",
+                 "Index of the operation, from 0; -1: all operations, as in the machine file", 0)
         self.add(obj, "Link", "ToolController", "Path", "Tool controller of the Path job")
         self.add(obj, "Bool", "Active", "Path", "Include the operation in the Path job", True)
         for name, words in HEIGHTS:  # FreeCAD's dress-ups ask for these

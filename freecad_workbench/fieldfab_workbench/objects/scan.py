@@ -23,9 +23,12 @@ class Scan(Solid):
         add = functools.partial(self.add, obj)
         add("File", "File", "Scan", "The volume's file, or the folder of its slices")
         add("String", "FileBeside", "Scan", "The same path, relative to the document's folder", mode=HIDDEN | OUTPUT)
-        add("String", "FileRead", "Scan", "Size and modification time of the file that the mesh was made from", mode=HIDDEN | OUTPUT)
-        add("String", "FileState", "Scan", "Whether the file exists and is unchanged since it was read", UNREAD, mode=READ_ONLY | OUTPUT)
-        add("Bool", "AutoThreshold", "Scan", "Threshold halfway between the two most frequent densities", True)
+        add("String", "FileRead", "Scan",
+            "Size and modification time of the file that the mesh was made from", mode=HIDDEN | OUTPUT)
+        add("String", "FileState", "Scan", "Whether the file exists and is unchanged since it was read", UNREAD,
+            mode=READ_ONLY | OUTPUT)
+        add("Bool", "AutoThreshold", "Scan", "Threshold halfway between the two most frequent densities",
+            True)
         add("Float", "Threshold", "Scan", "Density above which the volume is solid, if AutoThreshold is off", 0)
         add("Bool", "Below", "Scan", "Densities below the threshold are solid", False)
         add("Vector", "Spacing", "Scan", "Spacing of the samples along x, y and z, mm; 0 0 0: that of the file")
@@ -34,7 +37,8 @@ class Scan(Solid):
         add("Bool", "KeepLargest", "Clean-up", "Keep the largest piece only", False)
         add("Volume", "SmallestIsland", "Clean-up", "Pieces of less volume are removed", 0)
         add("Volume", "SmallestHole", "Clean-up", "Cavities of less volume are filled", 0)
-        add("IntegerList", "Samples", "Raw file", "Number of samples along x, y and z; empty: from the file or its name")
+        add("IntegerList", "Samples", "Raw file",
+            "Number of samples along x, y and z; empty: from the file or its name")
         self._add_choice(obj, "SampleType", "Raw file", "Type of the samples", SAMPLE_TYPES)
         add("String", "Series", "Raw file", "Series of a DICOM folder that contains several")
 

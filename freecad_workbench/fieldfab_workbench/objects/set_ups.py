@@ -22,7 +22,8 @@ def tool_from_line(line):
     except ValueError:
         tool = None
     if not isinstance(tool, dict):
-        raise ValueError(tr("a tool has the form {example}, not {line!r}").format(example=tool_to_line({"number": 1, "shape": "flat", "diameter": 6}), line=line))
+        raise ValueError(tr("a tool has the form {example}, not {line!r}").format(
+            example=tool_to_line({"number": 1, "shape": "flat", "diameter": 6}), line=line))
     unknown = [key for key in tool if key not in TOOL_KEYS]
     if unknown:
         raise ValueError(

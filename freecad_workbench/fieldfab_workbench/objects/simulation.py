@@ -122,23 +122,34 @@ class Simulation(Solid):
     def add_own_properties(self, obj):
         add = functools.partial(self.add, obj)
         add("File", "ProgramFile", "Program", "Program file of the machine: G-code, .sbp, .rml, .hpgl")
-        add("Link", "Program", "Program", "Object with a program: a machine program, a Path operation or a Path job. It replaces the file")
-        self.add_choice(obj, "Dialect", "Program", "Dialect of the G-code; if none is chosen, that of the set-up's machine", DIALECTS)
-        add("File", "SetupFile", "Set-up", "Set-up or job file (docs/simulation.md); empty: the properties below")
+        add("Link", "Program", "Program",
+            "Object with a program: a machine program, a Path operation or a Path job. It replaces the file")
+        self.add_choice(obj, "Dialect", "Program",
+                        "Dialect of the G-code; if none is chosen, that of the set-up's machine", DIALECTS)
+        add("File", "SetupFile", "Set-up",
+            "Set-up or job file (docs/simulation.md); empty: the properties below")
         if "Machine" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "Machine that runs the program").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
-        add("StringList", "Tools", "Set-up", "One tool per line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...",
+            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up",
+                            "Machine that runs the program").Machine = [
+                                THREE_AXES, *sorted(kernel.load().cam.machines())]
+        add("StringList", "Tools", "Set-up",
+            "One tool per line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...",
             [set_ups.tool_to_line(set_ups.DEFAULT_TOOL)])
         add("Vector", "StockLower", "Set-up", "Lower corner of the stock")
         add("Vector", "StockUpper", "Set-up", "Upper corner of the stock")
-        add("Link", "SetupProgram", "Set-up", "Machine program of the document whose set-up a program file uses: machine, tools, stock and part")
-        add("Link", "Stock", "Set-up", "Stock as a solid, such as the result of an earlier simulation. It replaces the corners")
+        add("Link", "SetupProgram", "Set-up",
+            "Machine program of the document whose set-up a program file uses: machine, tools, stock and part")
+        add("Link", "Stock", "Set-up",
+            "Stock as a solid, such as the result of an earlier simulation. It replaces the corners")
         add("Link", "Target", "Set-up", "Solid that the program should produce")
         add("Length", "Gouge", "Set-up", "Deeper cuts into the target are reported as gouges", 0.05)
-        add("Length", "Excess", "Set-up", "More material left on the target is reported as excess; 0: excess is not reported", 0)
+        add("Length", "Excess", "Set-up",
+            "More material left on the target is reported as excess; 0: excess is not reported", 0)
         add("Length", "Touch", "Set-up", "Contacts of less depth are ignored", 0.02)
-        add("String", "MoreOfSetup", "Set-up", "Further lines of the set-up: zero, start, [work], [limits], [fixture], ...")
-        add("Length", "Cell", "Sampling", "Sample spacing; 0: automatic, 1/300 of the stock, at most 0.2 mm", 0)
+        add("String", "MoreOfSetup", "Set-up",
+            "Further lines of the set-up: zero, start, [work], [limits], [fixture], ...")
+        add("Length", "Cell", "Sampling",
+            "Sample spacing; 0: automatic, 1/300 of the stock, at most 0.2 mm", 0)
         add("String", "Verdict", "Result", "Result of the simulation in a few words", mode=1)
         add("StringList", "Events", "Result", "Events, the worst first: one JSON object per line", mode=1)
         add("StringList", "Notes", "Result", "Notes on lines of the program", mode=1)

@@ -38,22 +38,34 @@ class Solid(DocumentObject):
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
-        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell. 0: automatic, from a scan's spacing or from the number of cells in the preferences. Flat faces of OpenSCAD need no cells", 0)
-        add(obj, "Length", "MaxError", "Mesh", "Greatest distance of the mesh from the solid; 0: a tenth of the smallest cell", 0)
-        add(obj, "Bool", "OnlyWhenShown", "Mesh", "Make no mesh while the solid is hidden and only used by other solids", False)
+        add(obj, "Length", "VoxelSize", "Mesh",
+            "Edge of the smallest cell. 0: automatic, from a scan's spacing or from the number of cells in the "
+            "preferences. Flat faces of OpenSCAD need no cells", 0)
+        add(obj, "Length", "MaxError", "Mesh",
+            "Greatest distance of the mesh from the solid; 0: a tenth of the smallest cell", 0)
+        add(obj, "Bool", "OnlyWhenShown", "Mesh",
+            "Make no mesh while the solid is hidden and only used by other solids", False)
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
-        add(obj, "Vector", "Lower", "Region", "Lower corner of the region, if AutoBounds is off", FreeCAD.Vector(-50, -50, -50))
-        add(obj, "Vector", "Upper", "Region", "Upper corner of the region, if AutoBounds is off", FreeCAD.Vector(50, 50, 50))
+        add(obj, "Vector", "Lower", "Region", "Lower corner of the region, if AutoBounds is off",
+            FreeCAD.Vector(-50, -50, -50))
+        add(obj, "Vector", "Upper", "Region", "Upper corner of the region, if AutoBounds is off",
+            FreeCAD.Vector(50, 50, 50))
         self.add_results(obj)
-        add(obj, "String", "Certainty", "Result", "Whether the mesh is proved to show the whole solid, or the reason; empty for a mesh of an earlier version", mode=1)
-        add(obj, "VectorList", "UncertainPlaces", "Result", "Lower and upper corners of boxes in which parts may be missing, the largest first", mode=4)  # hidden
+        add(obj, "String", "Certainty", "Result",
+            "Whether the mesh is proved to show the whole solid, or the reason; empty for a mesh of an earlier "
+            "version", mode=1)
+        # Hidden.
+        add(obj, "VectorList", "UncertainPlaces", "Result",
+            "Lower and upper corners of boxes in which parts may be missing, the largest first", mode=4)
 
     def add_results(self, obj):
         add = self.add
         add(obj, "Volume", "Volume", "Result", "Volume of the mesh", mode=1)
         add(obj, "Area", "Area", "Result", "Surface area of the mesh", mode=1)
         add(obj, "Integer", "Triangles", "Result", "Number of triangles of the mesh", mode=1)
-        add(obj, "String", "MadeFrom", "Result", "Digest of the input; the mesh is made again when it changes", mode=4)  # hidden
+        # Hidden.
+        add(obj, "String", "MadeFrom", "Result", "Digest of the input; the mesh is made again when it changes",
+            mode=4)
 
     def mesh_settings(self, obj):
         """The settings of sources.Source.mesh()."""

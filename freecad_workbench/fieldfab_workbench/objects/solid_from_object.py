@@ -12,7 +12,8 @@ class SolidFromObject(Solid):
 
     def add_own_properties(self, obj):
         self.add(obj, "Link", "Source", "Solid", "A mesh, a Part object or a body")
-        self.add(obj, "Length", "Deflection", "Solid", "Greatest distance of triangles from a Part shape; 0: 1/2000 of its size", 0)
+        self.add(obj, "Length", "Deflection", "Solid",
+                 "Greatest distance of triangles from a Part shape; 0: 1/2000 of its size", 0)
 
     def source(self, obj):
         if obj.Source is None:

@@ -97,7 +97,8 @@ class FrepPanel(EditPanel):
         row.changed.connect(lambda number: self._drive(name))
         driven = any(path == property_name(name) for path, expression in self.obj.ExpressionEngine)
         row.setEnabled(not driven)
-        words = tr("{name} is driven by an expression") if driven else tr("Parameter {name} of the text, also a property of the object")
+        words = (tr("{name} is driven by an expression") if driven
+                 else tr("Parameter {name} of the text, also a property of the object"))
         row.setToolTip("\n".join(filter(None, [parameter.comment, words.format(name=name)])))
         self.sliders.addRow(name, row)
         return row

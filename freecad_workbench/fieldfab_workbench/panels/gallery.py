@@ -133,7 +133,8 @@ class Gallery(QtWidgets.QDialog):
         self.boxes = {name: self._box(value) for name, value in shape.values.items()}
         for name, box in self.boxes.items():
             default = shape.defaults.get(name)
-            box.setToolTip(tr("default: {default}").format(default=default) if default else tr("a number, a shape, or any formula"))
+            box.setToolTip(tr("default: {default}").format(default=default) if default
+                           else tr("a number, a shape, or any formula"))
             self.form.addRow(tr("values") if name == "…" else name, box)
 
     @staticmethod

@@ -18,7 +18,8 @@ class Histogram(QtWidgets.QWidget):
         super().__init__()
         self.setMinimumHeight(120)
         self.setCursor(QtCore.Qt.SplitHCursor)
-        self.setToolTip(tr("Histogram of the densities, on a logarithmic scale. Drag the line to move the threshold"))
+        self.setToolTip(
+            tr("Histogram of the densities, on a logarithmic scale. Drag the line to move the threshold"))
         self.counts, self.edges, self.threshold, self.below, self.enabled = [], [0.0, 1.0], 0.5, False, False
 
     def set_densities(self, counts, edges):

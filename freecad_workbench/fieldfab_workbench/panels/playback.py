@@ -126,13 +126,21 @@ class Playback(QtWidgets.QWidget):
             return box
 
         self.see_tool = choice(tr("Tool"), tr("Show the cutter"), True, self._show_roles, 0, 0)
-        self.see_holder = choice(tr("Shank and holder"), tr("Show the shank and the holder, which must not touch anything"), True, self._show_roles, 0, 1)
-        self.see_deviation = choice(tr("Deviation at the end"), tr("Colour the finished stock by its distance from the target"), True,
+        self.see_holder = choice(tr("Shank and holder"), tr(
+                                                            "Show the shank and the holder, which must not touch "
+                                                            "anything"), True,
+                                 self._show_roles, 0, 1)
+        self.see_deviation = choice(tr("Deviation at the end"),
+                                    tr("Colour the finished stock by its distance from the target"), True,
                                     lambda on: self.go_to(self.seconds), 1, 0)
-        self.turning = choice(tr("Table turns"), tr("Turn the stock with the machine's table"), False, lambda on: self._place(), 1, 1)
-        self.see_stock = choice(tr("Stock"), tr("Show the stock as it is at this moment"), True, lambda on: self.scene and self.scene.show_stock(on), 2, 0)
-        self.see_part = choice(tr("Part"), tr("Show the solid that the program should produce"), False, lambda on: self._show_part(), 2, 1)
-        self.see_paths = choice(tr("Paths"), tr("Show the paths of the tool tips, each tool in its colour"), False, lambda on: self._show_paths(), 3, 0)
+        self.turning = choice(tr("Table turns"), tr("Turn the stock with the machine's table"), False,
+                              lambda on: self._place(), 1, 1)
+        self.see_stock = choice(tr("Stock"), tr("Show the stock as it is at this moment"), True,
+                                lambda on: self.scene and self.scene.show_stock(on), 2, 0)
+        self.see_part = choice(tr("Part"), tr("Show the solid that the program should produce"), False,
+                               lambda on: self._show_part(), 2, 1)
+        self.see_paths = choice(tr("Paths"), tr("Show the paths of the tool tips, each tool in its colour"), False,
+                                lambda on: self._show_paths(), 3, 0)
         self.layout_.addLayout(grid)
 
     # Beginning and ending.

@@ -148,7 +148,8 @@ class ScanPanel(ScanForm):
         full = self.voxel.value() or min(spacing)
         samples = math.prod(cut.cropped(self.overview.volume).size)
         memory, count = scans.estimate(samples, cut.cleaned(), surface.count, cell / full)
-        self.estimate.setText(tr("About {count} triangles, {memory} MB").format(count=_rounded(count), memory=_rounded(memory / 1e6)))
+        self.estimate.setText(
+            tr("About {count} triangles, {memory} MB").format(count=_rounded(count), memory=_rounded(memory / 1e6)))
         self.say("" if surface.count else tr("There is no solid at this threshold."), surface.count > 0)
 
     def _show_box(self, crop):

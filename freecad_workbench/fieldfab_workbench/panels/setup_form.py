@@ -61,7 +61,8 @@ class SetupForm(QtWidgets.QWidget):
                                                      if o != obj and programs.offers_program(o)], tr("a file"))
         self.program = FileBox(obj.ProgramFile, tr("the machine's program"),
                                tr("Programs (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;All files (*)"))
-        self.of_setup = self._objects(obj.SetupProgram, [o for o in obj.Document.Objects if programs.is_planned(o)], tr("none: a file, or the settings below"))
+        self.of_setup = self._objects(obj.SetupProgram, [o for o in obj.Document.Objects if programs.is_planned(o)],
+                                      tr("none: a file, or the settings below"))
         self.of_setup.activated.connect(lambda index: self._follow())
         self.dialect = QtWidgets.QComboBox()
         offer(self.dialect, DIALECTS, obj.Dialect)

@@ -28,7 +28,8 @@ PIXELS = 3  # that a cell may fill
 
 
 def _said(stage):
-    return {"coarse": tr("Coarse preview: cells of {cell}"), "finer": tr("Preview: cells of {cell}"), "final": tr("Final mesh"),
+    return {"coarse": tr("Coarse preview: cells of {cell}"), "finer": tr("Preview: cells of {cell}"),
+            "final": tr("Final mesh"),
             "divided": tr("Refining where you look"), "detail": tr("Refined where you look")}[stage]
 
 

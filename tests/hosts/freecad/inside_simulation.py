@@ -144,7 +144,8 @@ def test_failures_keep_the_last_result(document, slot, monkeypatch):
     obj.touch()
     document.recompute()
     assert obj.isValid() and obj.Volume.Value == pytest.approx(BLOCK - 720, rel=1e-4)
-    for values, words in (({"Tools": ["flat 6"]}, "a tool has the form"), ({"Tools": ['{"size": 3}']}, "no 'size'"), ({"Tools": [], "StockUpper": obj.StockLower}, "no size"),
+    for values, words in (({"Tools": ["flat 6"]}, "a tool has the form"), ({"Tools": ['{"size": 3}']}, "no 'size'"),
+                          ({"Tools": [], "StockUpper": obj.StockLower}, "no size"),
                           ({"ProgramFile": ""}, "choose a program")):
         for name, value in values.items():
             setattr(obj, name, value)
