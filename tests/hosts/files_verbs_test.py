@@ -1,18 +1,21 @@
 """Calls that fail in verbs with several outputs and in verbs that only read, and names that are not UTF-8. The tests of
 verbs with one output are in files_faults_test.py and files_writing_test.py."""
 
+import gzip
 import json
 import os
 import random
 import re
 import shutil
+import signal
 import subprocess
+import time
 
 import faults
 import pytest
 from conftest import COMMAND
 from files_faults_test import KILLS
-from files_writing_test import OLD, inputs
+from files_writing_test import OLD, inputs, interrupted
 
 # Words of a command, and the files that it writes.
 WRITES = {
@@ -246,3 +249,51 @@ def test_json_of_programs_whose_names_are_no_utf8(folder):
         with open(os.path.join(os.fsencode(folder), name), encoding="utf-8") as file:
             text = file.read()
         assert text and (name != b"b\xff.json" or json.loads(text)["good"] is True)
+
+
+# Signals inside libraries, and while input is awaited
+
+
+def zeros(path, size=400):
+    """A volume of 4 * size**3 bytes in a small file: ITK inflates it for a second."""
+    lines = ["NRRD0005", "type: float", "dimension: 3", f"sizes: {size} {size} {size}", "endian: little",
+             "encoding: gzip", "spacings: 1 1 1", "", ""]
+    path.write_bytes("\n".join(lines).encode() + gzip.compress(bytes(4 * size**3), compresslevel=1))
+
+
+def moved(x, body):
+    return f"multmatrix([[1, 0, 0, {x}], [0, 1, 0, 1.3], [0, 0, 1, 0.7], [0, 0, 0, 1]]) {{ {body} }}"
+
+
+CSG = f"difference() {{ sphere(r = 10, $fn = 200); {moved(5, 'sphere(r = 10, $fn = 190);')} }}"
+LIBRARIES = {"ITK": "info in.nrrd", "CGAL": "mesh in.csg -o made.stl"}
+
+
+@pytest.mark.parametrize("name", LIBRARIES)
+def test_an_interrupt_inside_a_library_is_answered(name, folder):
+    zeros(folder / "in.nrrd")
+    (folder / "in.csg").write_text(CSG)
+    chance, codes = random.Random(name), []
+    for _ in range(5):
+        before = sorted(folder.iterdir())
+        code, seconds, message = interrupted(LIBRARIES[name].split(), folder, chance.uniform(0.1, 0.8))
+        codes.append(code)
+        if code == 0:
+            continue
+        assert code == 130 and message.count("cancelled") == 1, (code, message)
+        assert seconds < 0.5 + 0.5 * (os.getloadavg()[0] > os.cpu_count()), f"{seconds:.2f} s"
+        assert sorted(folder.iterdir()) == before
+    assert 130 in codes
+
+
+def test_an_interrupt_while_a_pipe_gives_nothing(folder):
+    (folder / "given.frep").symlink_to("/dev/stdin")
+    words = [COMMAND, "info", "given.frep"]
+    process = subprocess.Popen(words, cwd=folder, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
+    time.sleep(1)
+    assert process.poll() is None
+    process.send_signal(signal.SIGINT)
+    started = time.monotonic()
+    assert process.wait(timeout=10) == 130 and time.monotonic() - started < 1
+    process.stdin.close()
+    assert b"cancelled" in process.stderr.read()
