@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 
+#include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/file.h"
 #include "volume/parts.h"
 
@@ -116,11 +117,14 @@ class Reader : openvdb::io::Archive {
 
 VolumePtr open(const Path& path) {
   openvdb::initialize();
+  constexpr const char* damaged = "is no .vdb file, or a damaged one, or of a later version";
+  // OpenVDB reads a block of values by the size that the file gives, also beyond the end of its memory.
+  if (!ends_by_itself([&] { Reader(path).read(); }, Progress::none())) refuse(path, damaged);
   openvdb::FloatGrid::Ptr grid;
   try {
     grid = Reader(path).read();
   } catch (const std::exception&) {
-    refuse(path, "is no .vdb file, or a damaged one, or of a later version");
+    refuse(path, damaged);
   }
   if (!grid) refuse(path, "holds no grid of 32-bit real numbers");
   const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
