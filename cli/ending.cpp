@@ -58,7 +58,7 @@ void handle(int signal, void (*handler)(int)) {
 /// Libraries call abort() if they cannot report a lack of memory otherwise: glibc for thread_local
 /// objects, GMP.
 void on_abort(int /*signal*/) {
-  ::alarm(1);  // ends the process if a lock is held that the removal of a folder needs
+  ::alarm(1);  // ends the process if nobody reads its standard error
   end_now(internal_error, {"fieldfab: internal error: a library gave up\n"});
 }
 

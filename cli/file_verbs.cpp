@@ -288,15 +288,25 @@ class InfoVerb final : public Verb {
   }
   Outcome image_info() const {
     const Image image = read_png(file_);
-    return {fmt::format("{}: picture, {} x {} pixels, {} x {} bit", file_, image.width, image.height, image.channels,
-                        image.depth),
-            {{"file", file_},
-             {"kind", "image"},
-             {"width", image.width},
-             {"height", image.height},
-             {"channels", image.channels},
-             {"depth", image.depth}},
-            0};
+    Outcome outcome{fmt::format("{}: picture, {} x {} pixels, {} x {} bit", file_, image.width, image.height,
+                                image.channels, image.depth),
+                    {{"file", file_},
+                     {"kind", "image"},
+                     {"width", image.width},
+                     {"height", image.height},
+                     {"channels", image.channels},
+                     {"depth", image.depth}},
+                    0};
+    if (image.pixels_per_mm > 0) {
+      outcome.line += fmt::format(", {:.6g} pixels per mm", image.pixels_per_mm);
+      outcome.json["pixels_per_mm"] = image.pixels_per_mm;
+    }
+    if (image.has_heights) {
+      const double low = image.bounds.lower.z(), high = image.bounds.upper.z();
+      outcome.line += fmt::format(", heights from {:.6g} to {:.6g} mm", low, high);
+      outcome.json["heights"] = {low, high};
+    }
+    return outcome;
   }
 
   std::string file_, histogram_;

@@ -4,6 +4,7 @@
 //
 // FAULT_CALL: write, pwrite, fsync, rename, malloc, pthread_create, or any (one of the first four)
 // FAULT_AT: number of the failing call, from 1; with FAULT_LASTING also all later ones
+// FAULT_NO_LINK: there are no hard links, as on some file systems
 // FAULT_KILL: the process is killed instead of that call
 // FAULT_COUNT: a file that receives the number of calls at the end of main()
 // FAULT_JOURNAL: a folder for the file `journal`, and for copies of files that a rename replaces
@@ -36,7 +37,7 @@ std::atomic<bool> counting{false};
 std::atomic<long> calls{0};
 char wanted[32];
 long fails_at = 0;
-bool lasting = false, kills = false;
+bool lasting = false, kills = false, no_links = false;
 const char *journal_folder = nullptr, *count_file = nullptr;
 int journal = -1;
 std::atomic<int> saved{0};
@@ -85,6 +86,7 @@ int watched_main(int argc, char** argv, char** environment) {
   fails_at = std::atol(text("FAULT_AT"));
   lasting = *text("FAULT_LASTING") != '\0';
   kills = *text("FAULT_KILL") != '\0';
+  no_links = *text("FAULT_NO_LINK") != '\0';
   count_file = std::getenv("FAULT_COUNT");
   if ((journal_folder = std::getenv("FAULT_JOURNAL")) != nullptr) {
     char path[PATH_MAX];
@@ -178,7 +180,7 @@ int rename(const char* from, const char* to) {
   if (journal >= 0) {
     if (::stat(to, &old) == 0) {
       std::snprintf(kept, sizeof kept, "%s/%d", journal_folder, ++saved);
-      if (::link(to, kept) != 0) std::snprintf(kept, sizeof kept, "-");
+      if (syscall(SYS_link, to, kept) != 0) std::snprintf(kept, sizeof kept, "-");
     }
     std::snprintf(folder, sizeof folder, "%s", to);
     if (char* const slash = std::strrchr(folder, '/'))
@@ -190,6 +192,14 @@ int rename(const char* from, const char* to) {
   const long result = syscall(SYS_rename, from, to);
   if (result == 0) note("rename\t%s\t%s\t%s\t%lu\n", from, to, kept, static_cast<unsigned long>(old.st_ino));
   return static_cast<int>(result);
+}
+
+int link(const char* from, const char* to) {
+  if (no_links) {
+    errno = EPERM;
+    return -1;
+  }
+  return static_cast<int>(syscall(SYS_link, from, to));
 }
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*routine)(void*), void* argument) {

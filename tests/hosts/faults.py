@@ -54,11 +54,13 @@ def lose_power(journal, folder):
 
 
 def cut_to_synced(folder, synced, before):
-    """Of files that were not there before leaves what was synced."""
+    """Of files that were not there before leaves what was synced. One with two names was there before."""
     for path in folder.rglob("*"):
         if not path.is_file() or path.read_bytes() == before.get(str(path.relative_to(folder))):
             continue
         status = path.stat()
+        if status.st_nlink > 1:
+            continue
         size, changed = synced.get(status.st_ino, (0, ""))
         if changed != f"{status.st_mtime_ns // 10**9}.{status.st_mtime_ns % 10**9:09d}":
             size = 0

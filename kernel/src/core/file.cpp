@@ -41,6 +41,33 @@ class Descriptor {
   int number_;
 };
 
+/// A second name of a file, removed at the end, from which the file is put back after it was replaced.
+class KeptFile {
+ public:
+  /// Does nothing if there is no file. Throws Error(io) about `name`.
+  KeptFile(const std::filesystem::path& name, const std::filesystem::path& file, std::filesystem::path kept)
+      : file_(file), kept_(std::move(kept)) {
+    // Some file systems have no hard links.
+    exists_ = ::link(file_.c_str(), kept_.c_str()) == 0 || ::rename(file_.c_str(), kept_.c_str()) == 0;
+    if (!exists_ && errno != ENOENT) fail(name, "write");
+  }
+  ~KeptFile() {
+    if (exists_) ::unlink(kept_.c_str());
+  }
+  KeptFile(const KeptFile&) = delete;
+  KeptFile& operator=(const KeptFile&) = delete;
+  void put_back() const noexcept {
+    if (exists_)
+      ::rename(kept_.c_str(), file_.c_str());
+    else
+      ::unlink(file_.c_str());
+  }
+
+ private:
+  std::filesystem::path file_, kept_;
+  bool exists_ = false;
+};
+
 /// Returns a description of a file that is not a regular one; null for a regular file.
 const char* other_kind(mode_t mode) {
   switch (mode & S_IFMT) {
@@ -184,18 +211,59 @@ void PendingFile::refuse_partial(std::uintmax_t size) const {
   throw Error(ErrorKind::io, name_.string(), "cannot write: not all of it is there when it is read again");
 }
 
-void PendingFile::commit() {
+void PendingFile::complete() {
   flush();
   struct stat ours {
-  }, named{};
+  }, named{}, old{};
   if (::fstat(descriptor_, &ours) != 0 || ::stat(temporary().c_str(), &named) != 0) fail();
   if (ours.st_ino != named.st_ino || ours.st_dev != named.st_dev) {  // a library has put its own file there
     Descriptor other(::open(temporary().c_str(), O_RDWR | O_CLOEXEC));
     if (other.number() < 0) fail();
     ::close(std::exchange(descriptor_, other.release()));
   }
-  device_ ? copy_to_device() : replace_target();
+  if (device_) return;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? (old.st_mode & 07777) : (0666 & ~mask);
+  if (::fchmod(descriptor_, mode) != 0 || ::fsync(descriptor_) != 0) fail();
+}
+
+void PendingFile::put_in_place() {
+  if (device_) return copy_to_device();
+  if (::rename(temporary().c_str(), target_.c_str()) != 0) fail();
+  temporary_->release();
+}
+
+void PendingFile::close() {
   if (::close(std::exchange(descriptor_, -1)) != 0) fail();
+}
+
+void PendingFile::commit() {
+  complete();
+  put_in_place();
+  sync_folder();
+  close();
+}
+
+void commit_both(PendingFile& first, PendingFile& second) {
+  if (first.device_) {  // what it gets cannot be taken back
+    second.commit();
+    return first.commit();
+  }
+  first.complete();
+  second.complete();
+  const KeptFile old(first.name_, first.target_, first.temporary().string() + ".old");
+  try {
+    first.put_in_place();
+    second.put_in_place();
+  } catch (...) {
+    old.put_back();
+    throw;
+  }
+  first.sync_folder();
+  second.sync_folder();
+  first.close();
+  second.close();
 }
 
 void PendingFile::copy_to_device() {
@@ -214,18 +282,8 @@ void PendingFile::copy_to_device() {
   if (::close(device.release()) != 0) fail();
 }
 
-void PendingFile::replace_target() {
-  struct stat old {};
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? (old.st_mode & 07777) : (0666 & ~mask);
-  if (::fchmod(descriptor_, mode) != 0 || ::fsync(descriptor_) != 0) fail();
-  if (::rename(temporary().c_str(), target_.c_str()) != 0) fail();
-  temporary_->release();
-  sync_folder();
-}
-
 void PendingFile::sync_folder() const {
+  if (device_) return;
   const std::filesystem::path folder = target_.parent_path();
   const Descriptor opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.number() < 0 && errno == EACCES) return;  // a folder may be writable but not readable

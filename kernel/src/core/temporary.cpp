@@ -1,9 +1,13 @@
 #include "fieldfab/core/temporary.h"
 
+#include <dirent.h>
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <mutex>
+#include <string_view>
 #include <utility>
 
 namespace fieldfab {
@@ -11,6 +15,23 @@ namespace {
 
 constinit std::mutex list_mutex;  // needs no memory, and exists until the end of the process
 constinit Temporary* first = nullptr;
+
+/// Removes a file, or a folder and all below it. Allocates nothing: memory may be what the process ends for.
+void remove_at(int folder, const char* name) noexcept {
+  if (::unlinkat(folder, name, 0) == 0 || errno != EISDIR) return;
+  const int opened = ::openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (opened < 0) return;
+  alignas(dirent64) std::array<char, 4096> entries;
+  for (ssize_t size = 0; (size = ::getdents64(opened, entries.data(), entries.size())) > 0;)
+    for (ssize_t at = 0; at < size;) {
+      const auto* const entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+      at += entry->d_reclen;
+      const std::string_view found = entry->d_name;
+      if (found != "." && found != "..") remove_at(opened, entry->d_name);
+    }
+  ::close(opened);
+  ::unlinkat(folder, name, AT_REMOVEDIR);
+}
 
 }  // namespace
 
@@ -32,14 +53,7 @@ void Temporary::release() noexcept {
   if (next_ != nullptr) next_->before_ = before_;
 }
 
-void Temporary::remove() const noexcept {
-  if (::unlink(path_.c_str()) == 0 || errno != EISDIR) return;
-  try {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  } catch (...) {  // out of memory while the folder is listed
-  }
-}
+void Temporary::remove() const noexcept { remove_at(AT_FDCWD, path_.c_str()); }
 
 void remove_temporaries() noexcept {
   // A thread that was stopped while it held the lock must not block the end.

@@ -213,26 +213,14 @@ void write_obj(std::span<const PartView> parts, PendingFile& file, const std::st
   }
 }
 
-/// Writes an .obj file and its materials. Both are complete before either is moved into place.
+/// Writes an .obj file and its materials.
 void write_obj_with_materials(std::span<const PartView> parts, const std::filesystem::path& path, Progress& progress) {
   // A name with control characters would end its line.
   const std::string name = printable(path.stem().string() + ".mtl");
-  const std::filesystem::path beside = path.parent_path() / name;
-  const bool is_new = !std::filesystem::exists(beside);
-  PendingFile materials(beside), file(path);
+  PendingFile materials(path.parent_path() / name), file(path);
   write_mtl(parts, materials);
   write_obj(parts, file, name, progress);
-  // rewrite() flushes buffers, so that a full disk is reported before either file is replaced.
-  materials.rewrite(0, "#", 1);
-  file.rewrite(0, "#", 1);
-  materials.commit();
-  try {
-    file.commit();
-  } catch (const Error&) {
-    std::error_code ignored;
-    if (is_new) std::filesystem::remove(beside, ignored);
-    throw;
-  }
+  commit_both(materials, file);
 }
 
 void check_size(const Counts& all, const std::filesystem::path& path) {

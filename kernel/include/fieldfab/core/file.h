@@ -51,13 +51,16 @@ class PendingFile {
   /// target. Throws Error(io). The target is then unchanged, unless it is a device or a pipe, or only the sync of the
   /// folder failed.
   void commit();
+  friend void commit_both(PendingFile& first, PendingFile& second);
 
  private:
   [[noreturn]] void fail() const;
   void flush();
+  void complete();      ///< flushes and syncs
+  void put_in_place();  ///< after complete()
+  void close();
   void write_all(int descriptor, const char* data, std::size_t size) const;
   void copy_to_device();
-  void replace_target();
   void sync_folder() const;
   std::filesystem::path name_, target_;  ///< the path as given; the path after symbolic links
   std::optional<Temporary> temporary_;
@@ -65,6 +68,10 @@ class PendingFile {
   bool device_ = false;  ///< whether the target is a device or a pipe
   int descriptor_ = -1;
 };
+
+/// Commits two files that belong together. Throws Error(io). Both targets are then unchanged, except as in commit(); a
+/// `first` that was replaced is put back. A process that is killed between the two renames leaves a new `first`.
+void commit_both(PendingFile& first, PendingFile& second);
 
 /// Writes `bytes` to `path`, completely or not at all. Throws Error(io).
 void write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -1,30 +1,130 @@
 // Volumes of OpenVDB.
-#include <openvdb/io/Stream.h>
+#include <fmt/format.h>
+#include <openvdb/io/Archive.h>
+#include <openvdb/io/GridDescriptor.h>
+#include <openvdb/io/io.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
 #include <fstream>
+#include <memory>
+#include <string>
 
+#include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/file.h"
 #include "volume/parts.h"
 
 namespace fieldfab {
 namespace {
 
+/// Returns how many samples a file of so many bytes may span: those of a gigabyte, or 4096 for each byte.
+double most_samples(std::uintmax_t bytes) { return std::max(0x1p28, 4096.0 * static_cast<double>(bytes)); }
+
+struct Damaged : std::exception {};
+
+/// Reads the first grid of 32-bit floats of a file. OpenVDB allocates what the lengths in a header ask for before it
+/// reads; they are compared with the size of the file first.
+class Reader : openvdb::io::Archive {
+ public:
+  explicit Reader(const Path& path) : size_(static_cast<std::streamoff>(std::filesystem::file_size(path))) {
+    // A stream that throws at its end. OpenVDB continues beyond it and allocates memory for missing data.
+    file_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+    file_.open(path, std::ios::binary);
+  }
+
+  /// Returns null if there is no such grid.
+  openvdb::FloatGrid::Ptr read() {
+    ahead([&] {  // of a later version OpenVDB prints a warning
+      skip(sizeof(std::int64_t));
+      if (number() > openvdb::OPENVDB_FILE_VERSION) throw Damaged();
+    });
+    readHeader(file_);
+    auto stream = std::make_shared<openvdb::io::StreamMetadata>();
+    openvdb::io::setStreamMetadataPtr(file_, stream, false);
+    openvdb::io::setVersion(file_, libraryVersion(), fileVersion());
+    setDataCompression(file_);
+    // Descriptors and transforms of earlier files, from 2012, have other places.
+    if (fileVersion() < openvdb::OPENVDB_FILE_VERSION_NEW_TRANSFORM) throw Damaged();
+    skip_metadata();
+    for (auto left = number(); left > 0; --left) {
+      ahead([&] { skip_texts(3); });
+      openvdb::io::GridDescriptor descriptor;
+      const openvdb::GridBase::Ptr grid = descriptor.read(file_);
+      const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
+      if (!floats && inputHasGridOffsets()) {
+        go_on_to(descriptor.getEndPos());
+        continue;
+      }
+      ahead([&] { check_grid(); });
+      readGrid(grid, descriptor, file_);
+      if (floats && !descriptor.isInstance()) return floats;  // an instance has the samples of another grid
+    }
+    return nullptr;
+  }
+
+ private:
+  template <class Check>
+  void ahead(const Check& check) {
+    const auto here = file_.tellg();
+    check();
+    file_.seekg(here);
+  }
+  void go_on_to(std::streamoff place) {
+    if (place < file_.tellg() || place > size_) throw Damaged();
+    file_.seekg(place);
+  }
+  std::uint32_t number() {
+    std::uint32_t value = 0;
+    file_.read(reinterpret_cast<char*>(&value), sizeof value);
+    return value;
+  }
+  void skip(std::uint32_t bytes) { go_on_to(file_.tellg() + std::streamoff{bytes}); }
+  void skip_texts(int count) {
+    for (; count > 0; --count) skip(number());
+  }
+  std::string text() {
+    const std::uint32_t length = number();
+    ahead([&] { skip(length); });
+    std::string value(length, ' ');
+    file_.read(value.data(), length);
+    return value;
+  }
+  /// Names, types and values; each value has its length before it.
+  void skip_metadata() {
+    for (auto left = number(); left > 0; --left) {
+      skip_texts(1);
+      // A table of sizes of leaves, of which each takes a mask of 64 bytes elsewhere in the file.
+      if (text() == "__delayedload")
+        ahead([&] {
+          if (number() > 0 && number() > size_ / 64) throw Damaged();
+        });
+      skip_texts(1);
+    }
+  }
+  void check_grid() {
+    if (fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) skip(sizeof(std::uint32_t));
+    skip_metadata();
+    if (text() == openvdb::math::NonlinearFrustumMap::mapType()) throw Damaged();  // it holds more texts
+  }
+
+  std::streamoff size_;
+  std::ifstream file_;
+};
+
 VolumePtr open(const Path& path) {
   openvdb::initialize();
+  constexpr const char* damaged = "is no .vdb file, or a damaged one, or of a later version";
+  // OpenVDB reads a block of values by the size that the file gives, also beyond the end of its memory.
+  if (!ends_by_itself([&] { Reader(path).read(); }, Progress::none())) refuse(path, damaged);
   openvdb::FloatGrid::Ptr grid;
   try {
-    // A stream that throws at its end. OpenVDB's own stream continues beyond it and allocates
-    // memory for missing data.
-    std::ifstream file;
-    file.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
-    file.open(path, std::ios::binary);
-    openvdb::io::Stream stream(file, false);
-    for (const auto& each : *stream.getGrids())
-      if (grid = openvdb::gridPtrCast<openvdb::FloatGrid>(each); grid) break;
+    grid = Reader(path).read();
   } catch (const std::exception&) {
-    refuse(path, "is no .vdb file, or a damaged one");
+    refuse(path, damaged);
   }
   if (!grid) refuse(path, "holds no grid of 32-bit real numbers");
   const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
@@ -36,7 +136,10 @@ VolumePtr open(const Path& path) {
   box.expand(1);
   const openvdb::Coord dim = box.dim();
   SampleLattice lattice;
-  sample_count({dim.x(), dim.y(), dim.z()}, path);
+  const std::size_t samples = sample_count({dim.x(), dim.y(), dim.z()}, path);
+  if (static_cast<double>(samples) > most_samples(std::filesystem::file_size(path)))
+    refuse(path,
+           fmt::format("its samples span {} x {} x {}, too many for a file of its size", dim.x(), dim.y(), dim.z()));
   lattice.size = {dim.x(), dim.y(), dim.z()};
   require_memory(lattice.count() * sizeof(float), path.string());
   const auto place = [&](const openvdb::Vec3d& at) {
