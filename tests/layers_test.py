@@ -1,7 +1,5 @@
-"""Who may include whom:
-
-    core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <- {cam, openscad}
-    <- {cli, python} <- hosts
+"""Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <-
+{cam, openscad} <- {cli, python} <- hosts.
 
 openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg
 files, which are models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it

@@ -408,7 +408,10 @@ def test_the_node_that_is_shown_is_one_of_the_example():
 # Sources outside the package whose docstrings have code, and where it is run.
 SCRIPTS = {
     "examples/simulation/slotted_ball.py": "hosts/simulate_test.py runs the script, and simulates its program",
+    "tests/bench/adaptive_figures.py": "a benchmark, which takes minutes",
+    "tests/bench/certainty_figures.py": "a benchmark, which takes minutes",
     "tests/bench/web_drag.py": "a benchmark, which takes minutes",
+    "tests/hosts/openscad_designs.py": "the table of docs/openscad.md, which takes an hour",
     "tests/hosts/web_hostile.py": "hosts/web_test.py runs it for a shorter time",
 }
 

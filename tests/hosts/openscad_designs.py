@@ -1,9 +1,10 @@
 """Designs read by us and by OpenSCAD: the same volume within 0.5 %, no place of either surface farther than a voxel
 from the other.
 
-    openscad_designs.py            the table of docs/openscad.md: all examples, the three designs of
-    ../shared/data/scad, 200 random trees openscad_designs.py NAME ...   some of them openscad_designs.py 0 50
-    random trees 0 to 49 only """
+    openscad_designs.py            the table of docs/openscad.md: all examples, ../shared/data/scad, 200 random trees
+    openscad_designs.py NAME ...   some of them
+    openscad_designs.py 0 50       random trees 0 to 49 only
+"""
 
 import json
 import os
