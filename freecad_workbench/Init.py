@@ -1,5 +1,5 @@
-"""FreeCAD runs this at every start, with or without a window. It registers the types of files that can be imported and
-exported, and the workbench's test."""
+"""Registers file types for import and export, and the workbench's test. FreeCAD runs this module at every start, with
+or without a window."""
 
 import FreeCAD
 from fieldfab_workbench import file_types

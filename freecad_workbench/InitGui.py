@@ -1,4 +1,4 @@
-"""FreeCAD runs this when its window opens: it registers the workbench."""
+"""Registers the workbench. FreeCAD runs this module when its window opens."""
 
 import FreeCADGui
 
@@ -36,7 +36,7 @@ class FieldfabWorkbench(FreeCADGui.Workbench):
 
 
 def _translate():
-    """Objects and their properties are seen in every workbench, hence at FreeCAD's start."""
+    """Loads the translations at FreeCAD's start, because every workbench shows objects and their properties."""
     import os
 
     import fieldfab_workbench
@@ -47,7 +47,8 @@ def _translate():
 
 
 def _fill_registry():
-    """Views and panels need numpy and Coin, too slow to load at FreeCAD's start: they load once an object asks."""
+    """Fills the registry with functions that import views and panels on first use. These need numpy and Coin, which
+    would slow FreeCAD's start."""
     from fieldfab_workbench import registry
 
     def views():

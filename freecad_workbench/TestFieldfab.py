@@ -1,4 +1,4 @@
-"""`freecadcmd -t TestFieldfab`: does the workbench work where it is installed?"""
+"""FreeCAD's self-test of the installed workbench: `freecadcmd -t TestFieldfab`."""
 
 import unittest
 

@@ -1,41 +1,41 @@
-"""Certainty of a solid's mesh: whether it is proved that the mesh shows all of the solid, else where parts may be
-missing."""
+"""Certainty of a solid's mesh: whether it is proved to show the whole solid, and otherwise the places where parts may
+be missing."""
 
 import FreeCAD
 
 from .words import tr
 
-CERTAIN = "certain"  # as the kernel says it
-DOUBTFUL = "doubtful"  # of a state that is neither good nor bad: valid, but not certain
+CERTAIN = "certain"  # the kernel's word
+DOUBTFUL = "doubtful"  # the panel's state for a mesh that is valid but not certain
 
 
 def doubt_of(mesh):
-    """Returns a line that says where a mesh that was just made is not certain; "" where it is. A mesh without certainty
-    is one of the solid's own faces."""
+    """Returns a line that names the places where a new mesh is not certain, or "" for a certain mesh. A mesh without a
+    certainty consists of the solid's exact faces and counts as certain."""
     certainty = getattr(mesh, "certainty", None)
     return "" if certainty is None or certainty.certain else str(certainty)
 
 
 def put(obj, mesh):
-    """Notes in a solid how certain its new mesh is."""
+    """Stores the certainty of a solid's new mesh in its properties."""
     obj.Certainty = doubt_of(mesh) or CERTAIN
     places = mesh.certainty.places if obj.Certainty != CERTAIN else []
     obj.UncertainPlaces = [FreeCAD.Vector(*corner) for place in places for corner in (place[:3], place[3:])]
 
 
 def is_uncertain(obj):
-    """Whether an object's mesh may lack parts; False where that is not known, too."""
+    """Returns whether an object's mesh may lack parts. False also if this is unknown."""
     return getattr(obj, "Certainty", "") not in ("", CERTAIN)
 
 
 def uncertain_places(obj):
-    """Corners of the boxes in which parts may be missing: [(lower, upper)] in the solid's own coordinates, the largest
-    first."""
+    """Returns the boxes in which parts may be missing, as [(lower, upper)] corners in the solid's own coordinates, the
+    largest box first."""
     corners = getattr(obj, "UncertainPlaces", None) or []
     return list(zip(corners[::2], corners[1::2]))
 
 
 def with_doubt(words, doubt):
-    """Returns the line of a panel and its state. `words`: what is said of a valid solid; where its mesh is not certain,
-    the line says why."""
+    """Returns the status line of a panel and its state. `words`: the status of a valid solid. If its mesh is not
+    certain, the line gives the reason."""
     return (words + "\n" + tr("The mesh is {certainty}").format(certainty=doubt), DOUBTFUL) if doubt else (words, True)

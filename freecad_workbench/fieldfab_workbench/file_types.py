@@ -1,4 +1,4 @@
-"""Types of files that come in and go out, by the kernel's table of formats, for FreeCAD's start."""
+"""File types for import and export, from the kernel's table of formats. FreeCAD loads this module at its start."""
 
 import functools
 import json
@@ -8,14 +8,14 @@ import FreeCAD
 
 from . import kernel, preferences
 
-SLICES = ("tif", "tiff", "png")  # of stacks
+SLICES = ("tif", "tiff", "png")  # extensions of the slices of a stack
 MODULE = "fieldfab_workbench.files"
 
 
 @functools.cache
 def table():
-    """The kernel's table, fieldfab.formats(). FreeCAD's start needs it, and loading the kernel takes 0.1 s: it is kept
-    with the preferences for as long as the kernel's file is the same. Raises ImportError where there is no kernel."""
+    """Returns the kernel's table, fieldfab.formats(). Loading the kernel takes 0.1 s at FreeCAD's start, so the table
+    is cached in the preferences until the kernel's file changes. Raises ImportError if there is no kernel."""
     kept, stamp = FreeCAD.ParamGet(preferences.PATH), kernel.stamp()
     if not stamp or kept.GetString("FormatsOf") != stamp:
         kept.SetString("Formats", json.dumps(kernel.load().formats()))
@@ -24,38 +24,40 @@ def table():
 
 
 def extensions(*kinds, **wanted):
-    """The extensions, without dots, of the formats of these kinds that have these values: reads, writes, parts."""
+    """Returns the extensions, without dots, of all formats of these kinds with the wanted values of `reads`, `writes`
+    and `parts`."""
     rows = [row
             for row in table() if row["kind"] in kinds and all(row[name] == value for name, value in wanted.items())]
     return tuple(extension[1:] for row in rows for extension in row["extensions"])
 
 
 def format_of(filename):
-    """The row of the table for a file's name, the longest extension that fits; None where there is none."""
+    """Returns the row of the table for a file name, by its longest matching extension, or None."""
     name = os.path.basename(filename).lower()
     fitting = [(extension, row) for row in table() for extension in row["extensions"] if name.endswith(extension)]
     return max(fitting, key=lambda each: len(each[0]))[1] if fitting else None
 
 
 def pattern(endings):
-    """Of a file dialog: "*.stl *.ply"."""
+    """Returns the extensions as a pattern for a file dialog, such as "*.stl *.ply"."""
     return " ".join(f"*.{ending}" for ending in endings)
 
 
 def register():
-    """Registers them with FreeCAD, at its start. Without the kernel there are none, and FreeCAD starts all the same."""
+    """Registers the file types with FreeCAD at its start. Without a kernel it registers none, and FreeCAD still
+    starts."""
     try:
         volumes = extensions("volume", reads=True)
     except ImportError as error:
         FreeCAD.Console.PrintWarning(f"Fieldfab: {error}\n")
         return
-    # FreeCAD looks for what follows the last dot.
+    # FreeCAD compares only the part after the last dot.
     volumes = dict.fromkeys([*volumes, *(ending.rsplit(".", 1)[1] for ending in volumes if "." in ending)])
     FreeCAD.addImportType(f"CT volume ({pattern(volumes)})", MODULE)
     FreeCAD.addImportType(f"F-rep ({pattern(extensions('formula', reads=True))})", MODULE)
     FreeCAD.addImportType(f"Distance field ({pattern(extensions('distances', reads=True))})", MODULE)
     FreeCAD.addImportType(f"OpenSCAD design by Fieldfab ({pattern(extensions('design', reads=True))})", MODULE)
-    # Other meshes FreeCAD reads itself.
+    # FreeCAD itself reads all other meshes.
     FreeCAD.addImportType(f"Parts by Fieldfab ({pattern(extensions('mesh', reads=True, parts=True))})", MODULE)
     FreeCAD.addExportType(f"Distance field ({pattern(extensions('distances', writes=True))})", MODULE)
     FreeCAD.addExportType(f"F-rep ({pattern(extensions('formula', reads=True, writes=True))})", MODULE)

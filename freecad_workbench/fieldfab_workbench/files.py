@@ -1,7 +1,7 @@
-"""File > Open, Import and Export, and dropping files on the window: FreeCAD calls `open`, `insert` and `export` here.
+"""File > Open, Import, Export, and files dropped on the window. FreeCAD calls `open`, `insert` and `export` here.
 
-Models come in as parametric objects; what goes out is made anew from them, never cut down to the mesh on the screen.
-Scripts (.py) do not come in here: commands/scans.py runs them, once their user has said so."""
+Models are imported as parametric objects. Export computes the output from these objects, not from the mesh on the
+screen. Scripts (.py) are not imported here: commands/scans.py runs them after the user has confirmed it."""
 
 import functools
 import os
@@ -24,15 +24,15 @@ _for_the_user = functools.partial(in_a_line, dialog=True)
 
 
 def open(filename):  # noqa: A001: the name that FreeCAD calls
-    """A new document with the file's solid."""
+    """Returns a new document with the file's solid."""
     return insert(filename, "")
 
 
 @_for_the_user
 def insert(filename, docname):
-    """Adds the file's solid to a document, or to a new one where none has that name; several parts become a group. In
-    the window a scan opens its panel, and nothing is computed before OK. Returns the object. Raises ValueError with a
-    line for the user; then nothing is added."""
+    """Adds the file's solid to the named document, or to a new one if it does not exist. Several parts become a group.
+    In the window a scan opens its panel and computes nothing before OK. Returns the object. Raises ValueError with a
+    line for the user, and then adds nothing."""
     format = format_of(filename)
     kind = "volume" if _ending(filename) in SLICES or os.path.isdir(filename) else format and format["kind"]
     if kind in ("design", "formula", "mesh"):
@@ -54,7 +54,7 @@ def insert(filename, docname):
 
 
 def add(document, kind, label, **values):
-    """A solid of a class, with values, in one undo step."""
+    """Adds a solid of a class with property values, in one undo step."""
     began = not document.HasPendingTransaction
     if began:
         document.openTransaction(tr("Import {label}").format(label=label))
@@ -73,8 +73,8 @@ def add(document, kind, label, **values):
 
 
 def _edited(obj):
-    """Opens the panel of a new object, unless another is open. The panel continues the undo step, which would otherwise
-    end with FreeCAD's command."""
+    """Opens the panel of a new object, unless another panel is open. The panel continues the undo step, which would
+    otherwise end with FreeCAD's command."""
     import FreeCADGui
 
     if FreeCADGui.Control.activeDialog():
@@ -84,7 +84,7 @@ def _edited(obj):
 
 
 def show_all(document):
-    """Brings all of a document into view."""
+    """Fits the view to the whole document."""
     import FreeCADGui
 
     view = FreeCADGui.getDocument(document.Name).activeView()
@@ -95,8 +95,9 @@ def show_all(document):
 
 @_for_the_user
 def export(objects, filename):
-    """Writes what the objects bound, where they are in the document: each as a part with its name and colour where the
-    format keeps parts, else all united. The file is written whole or not at all. Raises ValueError."""
+    """Writes the solids of the objects, in document coordinates. If the format supports parts, each object becomes a
+    part with its name and colour; otherwise all are united. The file is written whole or not at all. Raises
+    ValueError."""
     ending, format = _ending(filename), format_of(filename)
     objects = list(dict.fromkeys(_bounding(objects)))
     if not objects:
@@ -117,7 +118,7 @@ def export(objects, filename):
 
 
 def _bounding(objects):
-    """Those that bound a solid, and those in groups."""
+    """Returns the objects that bound a solid, including those in groups."""
     for obj in objects:
         if hasattr(obj, "Mesh") or hasattr(obj, "Shape"):
             yield obj
@@ -126,7 +127,8 @@ def _bounding(objects):
 
 
 def _writer_of_parts(objects, filename, ending):
-    """A function of a progress that writes each object's own mesh; it does not look at the document."""
+    """Returns a function of a progress that writes each object's own mesh as a part. The function does not access the
+    document."""
     wanted = [(source_of(obj), _settings_of(obj), obj.Label, _colour_of(obj)) for obj in objects]
 
     def write(progress):
@@ -138,8 +140,8 @@ def _writer_of_parts(objects, filename, ending):
 
 
 def _writer_of_text(objects, filename, ending):
-    """A function of a progress that writes formulas, in .frep text a part each, else united; it does not look at the
-    document. Raises ValueError for an object that has none."""
+    """Returns a function of a progress that writes formulas: one part for each object in .frep text, otherwise their
+    union. The function does not access the document. Raises ValueError for an object without a formula."""
     for obj in objects:
         if not isinstance(getattr(obj, "Proxy", None), (FrepSolid, FilePart)):
             raise ValueError(tr("{label} has no formula: export it as .asdf or as a mesh").format(label=obj.Label))
@@ -160,7 +162,8 @@ def _writer_of_text(objects, filename, ending):
 
 
 def _writer_of_all(objects, filename, ending):
-    """A function of a progress that writes all objects as one; it does not look at the document."""
+    """Returns a function of a progress that writes the union of all objects. The function does not access the
+    document."""
     fieldfab, sources, designs = kernel.load(), [source_of(obj) for obj in objects], _designs(objects)
     asked, colours = [_settings_of(obj) for obj in objects], [_colour_of(obj) for obj in objects]
 
@@ -181,7 +184,7 @@ def _writer_of_all(objects, filename, ending):
 
 
 def whole_stack(path):
-    """The folder of a slice that alone is no volume; else the path as it is."""
+    """Returns the folder of a slice that is not a volume by itself; otherwise the path unchanged."""
     if _ending(path) not in SLICES or not os.path.isfile(path):
         return path
     try:
@@ -192,7 +195,7 @@ def whole_stack(path):
 
 
 def _designs(objects):
-    """[(source, placement)] where all are whole solids of OpenSCAD's, else nothing."""
+    """Returns [(source, placement)] if all sources are whole OpenSCAD solids, otherwise []."""
     if not all(is_solid(obj) and obj.AutoBounds for obj in objects):
         return []
     designs = [(obj.Proxy.source(obj), _placement(obj)) for obj in objects]
@@ -200,15 +203,15 @@ def _designs(objects):
 
 
 def _settings_of(obj):
-    """How finely an object asks to be made where it is in the document: settings of sources.Source.mesh()."""
+    """Returns the mesh settings of an object in document coordinates, as keywords of sources.Source.mesh()."""
     settings = obj.Proxy.mesh_settings(obj) if is_solid(obj) else {}
     if not _placement(obj).isIdentity():
-        settings.pop("bounds", None)  # they are its own coordinates'
+        settings.pop("bounds", None)  # in the object's own coordinates
     return settings
 
 
 def _finest(fields, asked):
-    """The finest of settings, for all fields united."""
+    """Returns the finest of several settings, for the union of all fields."""
     if len(fields) == 1:
         return with_cell(fields[0], **asked[0])
     cells = [with_cell(field, **settings) for field, settings in zip(fields, asked)]
@@ -223,8 +226,8 @@ def _finest(fields, asked):
 
 
 def _colour_of(obj):
-    """A function of a progress that tells the colour of an object, three numbers from 0 to 255 or words; None for that
-    which all solids have. In the window it is what is seen, else that of the file."""
+    """Returns a function of a progress that returns the colour of an object: three numbers from 0 to 255, or text. It
+    returns None for the default colour of all solids. With a window it is the visible colour, otherwise the file's."""
     if FreeCAD.GuiUp:
         seen = obj.ViewObject.ShapeColor[:3]
         plain = is_solid(obj) and all(abs(a - b) < 1 / 512 for a, b in zip(seen, preferences.colour()))
@@ -238,7 +241,7 @@ def _placement(obj):
 
 
 def _moved(expression, placement):
-    """An expression where a placement puts its solid: coordinates are taken back."""
+    """Returns the expression of the placed solid, by the inverse transform of its coordinates."""
     if placement.isIdentity():
         return expression
     fieldfab, m = kernel.load(), placement.inverse().toMatrix()
@@ -256,6 +259,6 @@ def _ending(filename):
 
 
 def name_of(filename):
-    """What to call the solid of a file or folder."""
+    """Returns the name for the solid of a file or folder."""
     name = os.path.basename(os.path.normpath(filename))
     return (name[: -len(_ending(filename)) - 1] if _ending(filename) else name) or "Solid"

@@ -1,5 +1,4 @@
-"""The kernel's grammar of .frep text, for a window: places are counted in UTF-16 units, as Qt does. Needs no window
-itself."""
+"""The kernel's grammar of .frep text for an editor. Positions are in UTF-16 units, as in Qt. Needs no window."""
 
 from bisect import bisect_right
 from dataclasses import dataclass
@@ -13,12 +12,12 @@ MEANINGS = marked(("the first coordinate, mm", "the second coordinate, mm", "the
 
 
 def grammar():
-    """The kernel's functions. Raises ImportError without a kernel."""
+    """Returns the kernel's language functions. Raises ImportError without a kernel."""
     return kernel.load().language
 
 
 class Places:
-    """A text as the kernel takes it, and its places: bytes of UTF-8 there, UTF-16 units here."""
+    """A text as UTF-8 for the kernel, with conversion of its positions from bytes to UTF-16 units."""
 
     def __init__(self, text):
         self.data = text.encode("utf-8", "replace")  # half of a surrogate pair becomes one byte
@@ -34,32 +33,32 @@ class Places:
         return unit if self._same else self._bytes[bisect_right(self._units, unit) - 1]
 
     def span(self, thing):
-        """Where a token, a mistake or a completion begins and ends."""
+        """Returns the start and the end of a token, a mistake or a completion."""
         return self.unit(thing.offset), self.unit(thing.offset + thing.length)
 
 
 @dataclass
 class Mistake:
     start: int
-    end: int  # the start where something is missing
+    end: int  # equals the start if a token is missing
     line: int  # from 0
     message: str
 
 
 def tokens(text):
-    """(kind, start, end, the token) of each token."""
+    """Returns (kind, start, end, text) of each token."""
     places = Places(text)
     return [(t.kind, *places.span(t), places.data[t.offset:t.offset + t.length].decode("utf-8", "replace"))
             for t in grammar().tokens(places.data)]
 
 
 def parameters(text):
-    """The numbers that a text names, in its order: {name: fieldfab.language.Parameter}."""
+    """Returns the text's named numbers in order: {name: fieldfab.language.Parameter}."""
     return {each.name: each for each in grammar().parameters(Places(text).data)}
 
 
 def with_values(text, values):
-    """The text with other numbers for its parameters."""
+    """Returns the text with new numbers for its parameters."""
     return grammar().with_values(Places(text).data, values)
 
 
@@ -69,23 +68,23 @@ def mistakes(text):
 
 
 def words(text=""):
-    """All names that a text can use: {name: fieldfab.language.Word}."""
+    """Returns all names that a text can use: {name: fieldfab.language.Word}."""
     return {word.name: word for word in grammar().words(Places(text).data)}
 
 
 def meaning(kernels):
-    """The kernel's words for a meaning, in the user's language where they are its standing ones."""
+    """Returns the kernel's description of a word, translated if it is one of the kernel's fixed texts."""
     return " · ".join(tr(each) for each in kernels.split(" · "))
 
 
 def completions(text, at):
-    """Where the name before a place begins, and what fits there: fieldfab.language.Completion each."""
+    """Returns the start of the name before a position, and the matching completions (fieldfab.language.Completion)."""
     places = Places(text)
     fitting = grammar().completions(places.data, places.byte(at))
     return places.unit(fitting.offset), fitting.entries
 
 
 def word_at(text, at):
-    """The word at a place, or None."""
+    """Returns the word at a position, or None."""
     places = Places(text)
     return grammar().word_at(places.data, places.byte(at))

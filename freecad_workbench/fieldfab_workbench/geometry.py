@@ -1,4 +1,4 @@
-"""Meshes and Part shapes of the document as sources of solids."""
+"""Meshes and Part shapes of a document as sources of solids."""
 
 import hashlib
 
@@ -8,8 +8,8 @@ from .words import tr
 
 
 def source_of_geometry(obj, deflection=None):
-    """The Source of a mesh or a shape, in the object's own coordinates. `deflection`: how far triangles may be from a
-    shape, mm. Raises ValueError with a line for the user."""
+    """Returns the Source of a mesh or a shape, in the object's own coordinates. `deflection`: maximum distance of the
+    triangles from a shape, mm. Raises ValueError with a line for the user."""
     if hasattr(obj, "Mesh"):
         mesh = obj.Mesh.copy()
         mesh.Placement = type(mesh.Placement)()

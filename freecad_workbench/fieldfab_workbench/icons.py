@@ -1,4 +1,4 @@
-"""The icons' files."""
+"""Icon files."""
 
 import os
 
@@ -6,5 +6,5 @@ FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__)
 
 
 def icon(name):
-    """The file of an icon: "Linear array" is LinearArray.svg."""
+    """Returns the file of an icon: "Linear array" is LinearArray.svg."""
     return os.path.join(FOLDER, "".join(word[:1].upper() + word[1:] for word in name.split()) + ".svg")

@@ -1,4 +1,4 @@
-"""Objects that come in together: one undo step, or nothing at all."""
+"""Import of several objects as one undo step, or none at all."""
 
 import contextlib
 
@@ -11,9 +11,8 @@ from .words import tr
 
 @contextlib.contextmanager
 def one_step(filename, docname, name):
-    """Yields the document of that name, a new one where there is none, and a list for the objects that are added to it.
-    Where ValueError or work.Cancelled is raised these are taken back; then raises ValueError with a line for the user.
-    """
+    """Yields the document of that name (a new one if it does not exist) and a list for the added objects. Removes these
+    objects on ValueError or work.Cancelled, and then raises ValueError with a line for the user."""
     there = docname in FreeCAD.listDocuments()
     document, made = FreeCAD.getDocument(docname) if there else FreeCAD.newDocument(docname or name), []
     began = not document.HasPendingTransaction

@@ -1,4 +1,4 @@
-"""Finds the fieldfab Python module: an installed one, or the one built beside this workbench."""
+"""Finds the `fieldfab` Python module: an installed one, or the one built beside this workbench."""
 
 import glob
 import importlib.util
@@ -12,7 +12,7 @@ BUILT = os.path.normpath(os.path.join(HERE, "..", "..", "build", "release", "pyt
 
 
 def load():
-    """The module `fieldfab`. Raises ImportError with advice where it is not to be found."""
+    """Returns the module `fieldfab`. Raises ImportError with advice if it is not found."""
     try:
         import fieldfab
     except ImportError:
@@ -26,7 +26,8 @@ def load():
 
 
 def stamp():
-    """Path, size and time of the module's file, without loading it; "" where load() has to tell."""
+    """Returns path, size and modification time of the module's file without loading it, or "" if only load() can find
+    it."""
     found = importlib.util.find_spec("fieldfab")
     folders = list(found.submodule_search_locations or []) if found else [os.path.join(BUILT, "fieldfab")]
     for path in (path for folder in folders for path in sorted(glob.glob(os.path.join(glob.escape(folder), "_core*")))):
@@ -44,7 +45,7 @@ def write_file(path, data):
         raise OSError(str(error)) from None
 
 
-_threads = 0  # that the kernel was told
+_threads = 0  # number of threads last set in the kernel
 
 
 def _follow_preferences(fieldfab):

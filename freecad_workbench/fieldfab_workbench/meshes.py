@@ -1,5 +1,5 @@
-"""Conversion of meshes between the kernel and FreeCAD, whole: no loop over triangles in Python. Meshes go through
-files, since FreeCAD 0.20 loses parts of what it writes to a Python stream."""
+"""Conversion of meshes between the kernel and FreeCAD without a loop over triangles in Python. Meshes go through files,
+because FreeCAD 0.20 loses part of what it writes to a Python stream."""
 
 import os
 import tempfile
@@ -12,13 +12,13 @@ _HEAD = 272  # bytes of a .bms file before its vertices: magic and version, a co
 
 
 def to_freecad(mesh):
-    """A fieldfab.Mesh as a Mesh.Mesh."""
+    """Returns a fieldfab.Mesh as a Mesh.Mesh."""
     with tempfile.TemporaryDirectory() as folder:
         return read_bms(write_bms(mesh, os.path.join(folder, "mesh.bms")))
 
 
 def write_bms(mesh, path):
-    """Writes a fieldfab.Mesh for read_bms(), on any thread; returns the path, or None for an empty mesh."""
+    """Writes a fieldfab.Mesh for read_bms(), on any thread. Returns the path, or None for an empty mesh."""
     if not len(mesh.triangles):
         return None
     with open(path, "wb") as file:
@@ -27,7 +27,7 @@ def write_bms(mesh, path):
 
 
 def read_bms(path):
-    """A Mesh.Mesh of what write_bms() returned."""
+    """Returns the Mesh.Mesh in a file of write_bms(). `None` gives an empty mesh."""
     result = Mesh.Mesh()
     if path is not None:
         result.read(path)
@@ -35,7 +35,7 @@ def read_bms(path):
 
 
 def bms_of(mesh):
-    """The bytes of a Mesh.Mesh as a .bms file, in its own coordinates."""
+    """Returns a Mesh.Mesh as the bytes of a .bms file, in its own coordinates."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mesh.bms")
         mesh.write(path)
@@ -44,7 +44,7 @@ def bms_of(mesh):
 
 
 def from_bms(data):
-    """A fieldfab.Mesh of the bytes of a .bms file."""
+    """Returns the fieldfab.Mesh in the bytes of a .bms file."""
     import numpy as np  # not before it is needed: the workbench must load quickly
 
     points, facets = (int(n) for n in np.frombuffer(data, "<u4", 2, _HEAD - 8))

@@ -1,5 +1,5 @@
-"""Errors and cancelled work, told to the user in one line. FreeCAD alone would add where in these sources the error was
-raised, a line for each call."""
+"""Errors and cancellation, reported to the user in one line. By default FreeCAD prints a traceback with a line for each
+call."""
 
 import functools
 import sys
@@ -9,11 +9,12 @@ import FreeCAD
 
 class _Named(type):
     def __str__(cls):
-        return "Fieldfab"  # FreeCAD's report view has this before the words
+        return "Fieldfab"  # FreeCAD's report view prints it before the message
 
 
 class Mistake(ValueError, metaclass=_Named):
-    """FreeCAD prints it without a traceback: Python shows none as long as there is one of these."""
+    """An error that FreeCAD prints without a traceback: it suppresses tracebacks while an instance of this class
+    exists."""
 
     alive = 0
 
@@ -29,11 +30,11 @@ class Mistake(ValueError, metaclass=_Named):
 
 
 class Stopped(ValueError):
-    """The user did it: no dialog has to tell of it."""
+    """Cancellation by the user, which needs no dialog."""
 
 
 def in_a_line(function, dialog=False):
-    """Returns the function with its errors for the user turned into Mistakes. On request a dialog of the window shows
+    """Returns the function with its errors for the user converted to Mistakes. If `dialog` is true, a dialog shows
     them, too."""
 
     @functools.wraps(function)
@@ -51,12 +52,12 @@ def in_a_line(function, dialog=False):
 
 
 def show(words):
-    """Says it in a dialog, where there is a window. Returns at once."""
+    """Shows a message in a dialog if there is a window. Returns at once."""
     if not FreeCAD.GuiUp:
         return
     import FreeCADGui
 
-    from .shim import QtCore, QtWidgets  # without a window there need be no Qt
+    from .shim import QtCore, QtWidgets  # Qt may be missing without a window
 
     box = QtWidgets.QMessageBox(QtWidgets.QMessageBox.Warning, "Fieldfab", words, QtWidgets.QMessageBox.Ok,
                                 FreeCADGui.getMainWindow())

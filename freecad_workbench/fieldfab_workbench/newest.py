@@ -1,17 +1,18 @@
-"""Answers while someone drags: the newest question is worked on beside the window, those between are left out."""
+"""Background computation of the newest request during a drag. Requests that become outdated while they wait are
+dropped."""
 
 import time
 
 from . import work
 from .shim import QtCore
 
-PATIENCE = 0.5  # seconds that work may go on once something newer waits
+PATIENCE = 0.5  # seconds for which work may continue while a newer request waits
 
 
 class Newest:
     """`ask(function, then)` runs `function(progress)` on a thread and then `then(result)` in the window's thread. A
-    call while one runs replaces the one that waits. `failed(error)` gets what a function raised. `busy(fraction,
-    message)` is told the progress, and (None, "") at the end."""
+    call during a run replaces the waiting call. `failed(error)` receives exceptions of the function. `busy(fraction,
+    message)` receives progress, and (None, "") at the end."""
 
     def __init__(self, failed, busy=lambda fraction, message: None):
         self._failed, self._busy = failed, busy
@@ -29,7 +30,7 @@ class Newest:
         return self._task is None
 
     def stop(self):
-        """Ends what runs, forgets what waits; nothing is told any more."""
+        """Cancels the running call and drops the waiting one. Makes no further callbacks."""
         self._timer.stop()
         if self._task is not None:
             self._task.cancel()
@@ -54,7 +55,7 @@ class Newest:
             result = task.outcome()
         except work.Cancelled:
             then = None
-        except Exception as error:  # whatever it is, the panel says it
+        except Exception as error:  # the panel reports errors of any kind
             self._failed(error)
             then = None
         if then is not None:

@@ -1,5 +1,5 @@
-"""The workbench's commands: one module for each toolbar. Each has TITLE and COMMANDS, {name: command} in the toolbar's
-order; None is a separator."""
+"""The workbench's commands: one module for each toolbar. Each module has TITLE and COMMANDS, {name: command} in the
+toolbar's order, with None for a separator."""
 
 import FreeCADGui
 
@@ -10,7 +10,7 @@ MENUS = (*TOOLBARS, examples)
 
 
 def register():
-    """Registers all commands; returns [(title of the menu, names in its order, whether it is a toolbar, too)]."""
+    """Registers all commands. Returns a list of (menu title, names in order, whether the menu is also a toolbar)."""
     menus = []
     for module in MENUS:
         for command_name, command in module.COMMANDS.items():

@@ -1,5 +1,5 @@
-"""Commands of machining: set-ups, operations, plans and their results. The workbench must load quickly: modules that
-need numpy are imported where they are used."""
+"""Commands for machining: set-ups, operations, plans and their results. Modules that need numpy are imported inside
+functions, because the workbench must load quickly."""
 
 import os
 import re
@@ -18,7 +18,8 @@ from .solids import selected
 
 
 def chosen_setup():
-    """The set-up that is selected, or one of whose children is; else the document's only one; else None."""
+    """Returns the selected set-up or the set-up of a selected child; otherwise the document's set-up if there is
+    exactly one; otherwise None."""
     for obj in FreeCADGui.Selection.getSelection():
         for candidate in (obj, getattr(obj, "Setup", None), cam_setup.setup_of(obj),
                           getattr(getattr(obj, "Program", None), "Setup", None)):
@@ -29,7 +30,7 @@ def chosen_setup():
 
 
 def chosen_program():
-    """The program that is selected, or the chosen set-up's first planned one; None."""
+    """Returns the selected program, otherwise the first planned program of the chosen set-up, otherwise None."""
     for obj in FreeCADGui.Selection.getSelection():
         if getattr(getattr(obj, "Proxy", None), "NAME", "") == "MachineProgram":
             return obj
@@ -48,7 +49,7 @@ class NewSetup(Command):
         cam_tool.add(setup, {"diameter": 3})
         cam_operation.add(setup, "rough")
         document.recompute([setup])
-        FreeCADGui.Selection.clearSelection()  # so that the part is seen in its own colour
+        FreeCADGui.Selection.clearSelection()  # the selection colour would hide the part's own
         FreeCADGui.ActiveDocument.setEdit(setup.Name)
 
 
@@ -84,7 +85,7 @@ class Plan(Command):
 
 
 class _OfProgram(Command):
-    """What can be done with a program once it is planned."""
+    """A command for a planned program."""
 
     def ready(self):
         return chosen_program() is not None
@@ -103,7 +104,7 @@ class WriteMachineFile(_OfProgram):
         self.preview.open()
 
     def save(self, program):
-        """Asks for the file's name."""
+        """Asks for a file name and writes the program."""
         suggested = os.path.join(os.path.dirname(program.Document.FileName), file_name(program))
         kinds = f"{program.Setup.Machine} (*{program.Extension})"
         path, kind = QtWidgets.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), self.title, suggested, kinds)
@@ -112,7 +113,8 @@ class WriteMachineFile(_OfProgram):
 
 
 def file_name(program):
-    """The part's, where no file system minds; where several set-ups make it, with the set-up's."""
+    """Returns the default file name: the part's label without characters that file systems reject. If several set-ups
+    make the part, the set-up's label follows."""
     part = program.Setup.Part
     others = [obj for obj in program.Document.Objects
               if cam_setup.is_setup(obj) and obj != program.Setup and obj.Part == part]
@@ -121,7 +123,7 @@ def file_name(program):
 
 
 def write(program, path):
-    """Writes the machine's file; says in the status bar that it did, in a box that it could not."""
+    """Writes the machine's file. Reports success in the status bar and an error in a dialog."""
     from ..objects import machine_program  # it needs numpy
 
     window = FreeCADGui.getMainWindow()

@@ -1,4 +1,4 @@
-"""What all commands have in common."""
+"""Base class of all commands."""
 
 import functools
 
@@ -10,7 +10,8 @@ from ..words import tr
 
 
 def _in_a_dialog(activated):
-    """The function; what it raises for the user is said in a dialog, what the user stopped in the status bar."""
+    """Returns the function with error handling: errors for the user appear in a dialog, cancellation in the status
+    bar."""
 
     @functools.wraps(activated)
     def told(*arguments):
@@ -25,9 +26,9 @@ def _in_a_dialog(activated):
 
 
 class Command:
-    """A command with its icon and its texts: in the menu, as tip (of the pointer and in the status bar), and as the
-    longer help of Shift+F1. FreeCAD translates the texts with the command's name as context. Registering gives the
-    command that name. `ready` says whether the selection is what it needs."""
+    """A command with its icon and texts: menu text, tooltip (also shown in the status bar), and the longer help of
+    Shift+F1. FreeCAD translates the texts with the command's name as context; registration sets this name. `ready`
+    returns whether the selection suits the command."""
 
     name = ""
 
@@ -44,7 +45,7 @@ class Command:
 
     @property
     def title(self):
-        """Its text in the menu, in the user's language: of undo steps and boxes."""
+        """Returns the menu text in the user's language, as the name of undo steps and dialogs."""
         return tr(self.told["MenuText"], self.name)
 
     def ready(self):

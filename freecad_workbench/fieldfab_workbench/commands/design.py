@@ -1,4 +1,4 @@
-"""Designing with the library's shapes."""
+"""Commands for designs made of the library's shapes."""
 
 import FreeCAD
 import FreeCADGui
@@ -10,8 +10,8 @@ from .command import Command
 
 
 class ShapeGallery(Command):
-    """Opens the gallery. The chosen shape becomes a solid whose numbers are properties, with its task panel open: one
-    undo step."""
+    """Opens the gallery. The chosen shape becomes a solid with its numbers as properties, and its task panel opens. All
+    of this is one undo step."""
 
     def Activated(self):
         self.gallery = Gallery(FreeCADGui.getMainWindow(), whole=True)
@@ -20,7 +20,7 @@ class ShapeGallery(Command):
 
 
 def make(text):
-    """Adds an f-rep solid of a text and opens its panel."""
+    """Adds an f-rep solid with the given text and opens its panel."""
     if FreeCADGui.Control.activeDialog():
         FreeCAD.Console.PrintError("Fieldfab: " + tr("close the task panel first") + "\n")
         return

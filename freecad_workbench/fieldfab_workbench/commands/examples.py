@@ -1,5 +1,4 @@
-"""Example documents. Each is opened as a new document, so that the files that came with the workbench stay
-unchanged."""
+"""Commands that open example documents. Each opens as a new document, so that the installed files stay unchanged."""
 
 import os
 import shutil
@@ -13,16 +12,16 @@ from .command import Command
 HERE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 FOLDER = os.path.join(HERE, "resources", "examples")
 START_PAGE = "User parameter:BaseApp/Preferences/Mod/Start"
-BETWEEN = ";;"  # folders in ShowCustomFolder, since FreeCAD 0.19
+BETWEEN = ";;"  # separates folders in ShowCustomFolder, since FreeCAD 0.19
 
 
 def documents():
-    """The files of all examples."""
+    """Returns the files of all examples."""
     return [os.path.join(FOLDER, name) for name in sorted(os.listdir(FOLDER)) if name.endswith(".FCStd")]
 
 
 def open_copy(path):
-    """A new document with what is in a file; saving it asks where to."""
+    """Returns a new document with a file's contents. Saving it asks for a file name."""
     document = FreeCAD.openDocument(path)
     document.FileName = ""
     FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -30,7 +29,7 @@ def open_copy(path):
 
 
 class Example(Command):
-    """Opens the example of a file."""
+    """Opens the example in a file."""
 
     def __init__(self, file, *texts):
         super().__init__(*texts)
@@ -41,19 +40,19 @@ class Example(Command):
 
 
 def copies():
-    """The user's own copies of the examples: where they are, or would be."""
+    """Returns the folder for the user's own copies of the examples. It may not exist."""
     return os.path.join(FreeCAD.getUserAppDataDir(), "Fieldfab examples")
 
 
 def folders_of_start_page():
-    """The folders whose files FreeCAD's start page shows besides its own."""
+    """Returns the custom folders whose files FreeCAD's start page shows in addition to its own."""
     return [folder
             for folder in FreeCAD.ParamGet(START_PAGE).GetString("ShowCustomFolder", "").split(BETWEEN) if folder]
 
 
 class OnStartPage(Command):
-    """Adds the user's own copies of the examples to the folders of FreeCAD's start page, or removes them. The user's
-    other folders stay."""
+    """Adds the folder of the user's example copies to FreeCAD's start page, or removes it. Leaves other folders
+    unchanged."""
 
     def __init__(self, *texts):
         super().__init__(*texts)

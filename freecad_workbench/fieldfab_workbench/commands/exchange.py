@@ -1,4 +1,4 @@
-"""Solids checked, and made into the other kinds of FreeCAD's objects."""
+"""Commands that check solids and convert them to other kinds of FreeCAD objects."""
 
 import FreeCAD
 import FreeCADGui
@@ -10,12 +10,12 @@ from .command import Command
 
 
 def chosen_meshes():
-    """The selected objects that have a mesh: our solids, and plain meshes."""
+    """Returns the selected objects that have a mesh: Fieldfab solids and plain meshes."""
     return [obj for obj in FreeCADGui.Selection.getSelection() if hasattr(obj, "Mesh") and obj.Mesh.CountFacets]
 
 
 class _Conversion(Command):
-    """Makes something of each selected solid, which is then hidden: one undo step."""
+    """Converts each selected solid and hides it, in one undo step."""
 
     def ready(self):
         return bool(chosen_meshes())
@@ -36,7 +36,7 @@ class ToMesh(_Conversion):
 
 
 def to_mesh(document, source):
-    """A plain copy of an object's mesh, where it is and in its colour."""
+    """Returns a new plain copy of an object's mesh, with the same placement and colour."""
     made = document.addObject("Mesh::Feature", f"{source.Name}Mesh")
     made.Label = f"{source.Label} mesh"
     mesh = source.Mesh.copy()
@@ -65,8 +65,8 @@ class CrossCheck(Command):
 
 
 class ShowUncertainPlaces(Command):
-    """Shows the boxes of the selected solids, and zooms to the largest box of the first. Hides them where all of them
-    are shown."""
+    """Shows the boxes of the selected solids and zooms to the largest box of the first solid. Hides the boxes if all
+    are visible."""
 
     def ready(self):
         return any(uncertain_places(obj) for obj in _chosen_solids())
@@ -86,7 +86,7 @@ class ShowUncertainPlaces(Command):
 
 
 class SectionPlane(Command):
-    """Also while a panel is open."""
+    """Shows or removes the section plane. Stays available while a panel is open."""
 
     def IsActive(self):
         return hasattr(FreeCADGui.activeView(), "getSceneGraph")

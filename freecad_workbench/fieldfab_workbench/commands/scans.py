@@ -1,4 +1,4 @@
-"""Scans and other files as solids."""
+"""Commands that make solids from scans and other files."""
 
 import os
 import shutil
@@ -28,7 +28,7 @@ class ImportScan(Command):
 
 
 def add_scan(path):
-    """A scan of a file, of the stack that a slice belongs to, or of a folder; its panel opens."""
+    """Adds a scan and opens its panel. The source is a file, the stack that a slice belongs to, or a folder."""
     stack = files.whole_stack(path)
     return files.add(FreeCAD.ActiveDocument or FreeCAD.newDocument(), Scan, files.name_of(stack), File=stack)
 
@@ -50,8 +50,8 @@ class RunScript(Command):
 
 
 def add_script(path):
-    """Runs a script, in a process of its own, and adds the solid that it makes, or the group of its parts; the document
-    keeps the formulas, not the script. Raises ValueError with the script's line, and work.Cancelled."""
+    """Runs a script in a separate process and adds the solid that it makes, or a group for several parts. The document
+    stores the formulas, not the script. Raises ValueError with the script's line, and work.Cancelled."""
     parts = work.run(lambda progress: _parts_of(path, progress),
                      tr("Running {path}").format(path=os.path.basename(path)))
     document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
@@ -62,7 +62,7 @@ def add_script(path):
 
 
 def _parts_of(path, progress):
-    """[(name, colour, {property: value})] for part_files.add()."""
+    """Returns [(name, colour, {property: value})] for part_files.add()."""
     fieldfab = kernel.load()
     python_path = os.pathsep.join([os.path.dirname(os.path.dirname(fieldfab.__file__)),
                                    os.environ.get("PYTHONPATH", "")]).rstrip(os.pathsep)

@@ -1,4 +1,4 @@
-"""Simulating machine programs."""
+"""Commands that simulate machine programs."""
 
 import FreeCAD
 import FreeCADGui
@@ -8,7 +8,8 @@ from .command import Command
 
 
 class SimulateProgram(Command):
-    """Adds a simulation, of the selected object's program where it has one, and opens its task panel: one undo step."""
+    """Adds a simulation and opens its task panel, in one undo step. If the selected object has a program, the
+    simulation takes it."""
 
     def Activated(self):
         document = FreeCAD.ActiveDocument or FreeCAD.newDocument()

@@ -1,4 +1,4 @@
-"""Making solids, and solids of solids."""
+"""Commands that make solids, also from other solids."""
 
 import FreeCAD
 import FreeCADGui
@@ -9,8 +9,8 @@ from .command import Command
 
 
 class NewSolid(Command):
-    """Adds a solid of one kind, made from the selection, and opens its task panel: one undo step, which Cancel takes
-    back."""
+    """Adds a solid of one kind, made from the selection, and opens its task panel. This is one undo step, which Cancel
+    reverts."""
 
     def __init__(self, kind, words, tip, help, needs=0, **properties):
         super().__init__(properties.get("Operation", kind.NAME), words, tip, help)
@@ -25,13 +25,13 @@ class NewSolid(Command):
         obj = solid.create(self.kind, document)
         for name, value in self.properties.items():
             setattr(obj, name, value)
-        obj.Label = self.title if self.properties else tr("Solid")  # what it is, in the user's language
+        obj.Label = self.title if self.properties else tr("Solid")  # the kind, in the user's language
         if self.needs and hasattr(obj, "Sources"):
             obj.Sources = chosen
         elif self.needs:
             obj.Source = chosen[0]
         if self.needs:
-            document.recompute([obj])  # else the panel shows it, beside the window, and its OK makes it
+            document.recompute([obj])  # otherwise the panel previews it in the background and its OK makes it
         for used in chosen if self.needs else []:
             used.ViewObject.Visibility = not obj.isValid()
         if len(document.Objects) == 1:
@@ -42,7 +42,7 @@ class NewSolid(Command):
 
 
 def selected():
-    """The selected objects that bound something."""
+    """Returns the selected objects that bound a solid."""
     return [obj for obj in FreeCADGui.Selection.getSelection()
             if hasattr(obj, "Mesh") or getattr(getattr(obj, "Shape", None), "Solids", None)]
 

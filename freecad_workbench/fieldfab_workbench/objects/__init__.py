@@ -1,1 +1,1 @@
-"""The document objects. Nothing here needs FreeCAD's window."""
+"""Document objects. They need no FreeCAD window."""

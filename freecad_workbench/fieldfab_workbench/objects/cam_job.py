@@ -1,5 +1,5 @@
-"""A set-up as a job for the kernel (docs/cam.md), and its results. Texts are made on the GUI thread, plans on any
-thread."""
+"""Conversion of a set-up to a job for the kernel (docs/cam.md), and the job's results. Job texts are made on the GUI
+thread, plans on any thread."""
 
 import hashlib
 import json
@@ -17,7 +17,7 @@ from .solid import source_of
 
 
 class JobError(ValueError):
-    """An error in a job. `object`: name of the object in the document; `setting`: name of the setting, where known."""
+    """An error in a job. `object`: name of the document object; `setting`: name of the setting, or "" if unknown."""
 
     def __init__(self, words, object=None, setting=""):
         super().__init__(words)
@@ -25,11 +25,11 @@ class JobError(ValueError):
 
 
 class Job:
-    """A job for the kernel. `text`: the job file. `places`: {line of it: (name of an object, name of a setting)}.
-    `source`: the part, a sources.Source."""
+    """A job for the kernel. `text`: the job file. `places`: {line number: (object name, setting name)}. `source`: the
+    part, a sources.Source."""
 
     def __init__(self, setup):
-        """Raises JobError."""
+        """Makes the job of a set-up. Raises JobError."""
         self._lines, self.places, self.label = [], {}, setup.Label
         if setup.Part is None:
             raise JobError(tr("{label}: choose a Part").format(label=setup.Label), setup.Name, "part")
@@ -109,8 +109,8 @@ class Job:
             self._add(name, value, operation)
 
     def plan(self, progress=None):
-        """Plans all paths and returns a Plan. Raises JobError for a job that cannot be planned, and fieldfab.Error
-        where planning failed or was cancelled."""
+        """Plans all paths and returns a Plan. Raises JobError for an invalid job, and fieldfab.Error if planning fails
+        or is cancelled."""
         fieldfab = kernel.load()
         try:
             job = fieldfab.cam.Job.parse(self.text, self.source.field(progress), "job", progress)
@@ -122,7 +122,7 @@ class Job:
             raise self._told(error) from None
 
     def _told(self, error):
-        """The kernel's message, with the object in the place of the line."""
+        """Returns the kernel's error as a JobError, with the object and setting instead of the line number."""
         line = re.match(r"job:(\d+)", error.place or str(error))
         name, setting = self.places.get(int(line[1]), (None, "")) if line else (None, "")
         words = re.sub(r"^(job(:\d+)?: |machine: )+", "", str(error))
@@ -133,7 +133,7 @@ class Job:
 
 
 class Plan:
-    """What a job came to: plain values and files' bytes, so that nothing of the kernel has to stay."""
+    """Result of a job as plain values and file contents. It keeps no kernel objects."""
 
     def __init__(self, order, job):
         self.text, self.digest, self.extension = order.text, order.digest, order.extension
@@ -155,12 +155,12 @@ class Plan:
 
 
 def all_moves(plan):
-    """The moves of all sections below each other."""
+    """Returns the moves of all sections as one (n, 8) array."""
     return np.vstack(plan.moves) if plan.moves else np.zeros((0, 8))
 
 
 def toml_value(value):
-    """A value as a TOML file has it."""
+    """Returns a value as TOML text."""
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(toml_value(float(v)) for v in value) + "]"
-    return json.dumps(value, ensure_ascii=False)  # numbers, texts and truth are written alike
+    return json.dumps(value, ensure_ascii=False)  # JSON and TOML write numbers, strings and booleans alike

@@ -1,4 +1,4 @@
-"""One operation of a CAM set-up."""
+"""An operation of a CAM set-up."""
 
 from .. import workflow
 from .cam_setup import setup_of
@@ -8,7 +8,8 @@ MADE_BY_TOOL = {"feed": "Feed", "plunge": "Plunge", "spindle": "Spindle"}
 
 
 class CamOperation(WithSettings):
-    """Its type, its tool, and a property for each setting of the stages that lead from the part to its moves."""
+    """An operation with a type, a tool, and a property for each setting of the stages between the part and its
+    moves."""
 
     NAME = "CamOperation"
 
@@ -25,7 +26,8 @@ class CamOperation(WithSettings):
         return workflow.stages_of(obj.Type)
 
     def default(self, obj, setting):
-        """The tool's, else the material's, else the workflow's, no faster than the machine."""
+        """Returns the default of a setting: the tool's, otherwise the material's, otherwise the workflow's. The last is
+        limited to the machine's maximum feed."""
         tool, setup = getattr(obj, "Tool", None), setup_of(obj)
         if tool is not None and setting.name in MADE_BY_TOOL:
             own = getattr(tool, MADE_BY_TOOL[setting.name])
@@ -47,13 +49,13 @@ class CamOperation(WithSettings):
         super().onChanged(obj, name)
 
     def execute(self, obj):
-        self.settle(obj)  # its tool may say other speeds now
+        self.settle(obj)  # the tool's speeds may have changed
         self.check(obj)
 
 
 def add(setup, kind, tool=None):
-    """Adds an operation at the end of a set-up; with the first tool where none is named. Returns the object; nothing is
-    computed."""
+    """Adds an operation at the end of a set-up. Without a given tool it takes the first one. Returns the object;
+    computes nothing."""
     operation = create_object(CamOperation, setup.Document, kind[:1].upper() + kind[1:].replace("_", " "))
     operation.Type = kind
     setup.Operations = [*setup.Operations, operation]

@@ -1,4 +1,4 @@
-"""A part, a machine, its stock, tools and operations: all that a machine's program follows from."""
+"""A CAM set-up: a part, a machine, its stock, tools and operations. They fully determine the machine's program."""
 
 import FreeCAD
 
@@ -13,7 +13,8 @@ STOCKS = marked({"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower"
 
 
 class CamSetup(WithSettings):
-    """Its tools and operations are objects of their own, in order. The machine's own settings are properties here."""
+    """A set-up. Its tools and operations are separate objects in order. The machine's settings are properties of the
+    set-up."""
 
     NAME = "CamSetup"
 
@@ -65,7 +66,7 @@ class CamSetup(WithSettings):
         super().onChanged(obj, name)
 
     def _offer_materials(self, obj):
-        """Those that the machine knows; the one chosen stays where it can."""
+        """Offers the machine's materials. Keeps the current choice if it is among them."""
         self._settling, before = True, obj.Material
         obj.Material = [NO_MATERIAL, *sorted(workflow.machine(obj.Machine)["materials"])]
         obj.Material = before if before in obj.getEnumerationsOfProperty("Material") else NO_MATERIAL
@@ -80,7 +81,7 @@ class CamSetup(WithSettings):
 
     def execute(self, obj):
         if getattr(obj.ViewObject, "Proxy", None):
-            obj.ViewObject.Proxy.show_stock()  # the part may have another size now
+            obj.ViewObject.Proxy.show_stock()  # the part's size may have changed
         self.check(obj)
 
 
@@ -89,17 +90,17 @@ def is_setup(obj):
 
 
 def setup_of(operation):
-    """The set-up that an operation or a tool belongs to; None for one that belongs to none."""
+    """Returns the set-up that contains an operation or a tool, or None."""
     return next((obj for obj in operation.InList if is_setup(obj)), None)
 
 
 def programs_of(setup):
-    """The machine programs made from a set-up."""
+    """Returns the machine programs made from a set-up."""
     return [obj for obj in setup.InList if getattr(getattr(obj, "Proxy", None), "NAME", "") == "MachineProgram"]
 
 
 def box_of(obj):
-    """The bounding box of any object, in the document's coordinates. Raises ValueError."""
+    """Returns the bounding box of an object in document coordinates. Raises ValueError."""
     if hasattr(obj, "Mesh") and obj.Mesh.CountFacets:
         return obj.Mesh.BoundBox
     if hasattr(obj, "Shape") and not obj.Shape.isNull():
@@ -108,7 +109,7 @@ def box_of(obj):
 
 
 def stock_box(setup):
-    """The stock's lower and upper corner in the document's coordinates. Raises ValueError."""
+    """Returns the stock's lower and upper corner in document coordinates. Raises ValueError."""
     if setup.StockFrom == "Box":
         return FreeCAD.Vector(setup.StockLower), FreeCAD.Vector(setup.StockUpper)
     if setup.StockFrom == "Object":
@@ -125,14 +126,14 @@ def stock_box(setup):
 
 
 def create(document, part=None, label="CAM job"):
-    """Adds a set-up to the document; nothing is computed yet."""
+    """Adds a set-up to the document; computes nothing yet."""
     setup = create_object(CamSetup, document, label)
     setup.Part = part
     return setup
 
 
 def remove(setup, child):
-    """Takes a tool or an operation out of a set-up and the document."""
+    """Removes a tool or an operation from a set-up and from the document."""
     setup.Tools = [tool for tool in setup.Tools if tool != child]
     setup.Operations = [operation for operation in setup.Operations if operation != child]
     setup.Document.removeObject(child.Name)

@@ -1,4 +1,4 @@
-"""A cutter of a CAM set-up. Lengths are mm, angles degrees."""
+"""A tool of a CAM set-up. Lengths are mm, angles degrees."""
 
 import re
 
@@ -6,12 +6,12 @@ from .. import units
 from ..words import described, marked, tr
 from .document_object import DocumentObject, create_object
 
-# What each shape needs besides a diameter.
+# {shape: properties that it needs besides the diameter}
 SHAPES = marked({
     "flat": (), "ball": (), "bull": ("CornerRadius",), "v": ("Angle", "TipDiameter"),
     "tapered": ("Angle", "CornerRadius"), "drill": ("Angle",),
 })
-# Properties by their names in job files (docs/cam.md).
+# {name in job files (docs/cam.md): property}
 LENGTHS = {
     "diameter": described("Diameter", "Greatest diameter of the cutting part", 3),
     "corner_radius": described("CornerRadius",
@@ -25,7 +25,7 @@ LENGTHS = {
 }
 
 
-# What tools of each shape are called, after their diameter.
+# {shape: default name, with the diameter}
 NAMES = {
     "flat": marked("{diameter} end mill"), "ball": marked("{diameter} ball end mill"),
     "bull": marked("{diameter} bull-nose end mill"),
@@ -35,10 +35,10 @@ NAMES = {
 
 
 class CamTool(DocumentObject):
-    """Its name follows its shape and diameter until somebody writes another one."""
+    """A tool. Its label follows its shape and diameter until the user edits the label."""
 
     NAME = "CamTool"
-    _follows = False  # whether the name that it had before a change was that of its shape and diameter
+    _follows = False  # whether the label before a change was the default name
 
     def add_properties(self, obj):
         self.add(obj, "IntegerConstraint", "Number", "Tool", "Tool number in the machine", (1, 1, 9999, 1))
@@ -82,13 +82,13 @@ def _in_its_own_history(obj):
 
 
 def name_of(obj):
-    """What a tool of its shape and diameter is called."""
+    """Returns the default name of a tool of this shape and diameter."""
     return _names(obj)[0]
 
 
 def _names(obj):
-    """Names that a tool may have: in the user's language and unit, in English, in mm and in inches, and as documents of
-    earlier versions have it."""
+    """Returns all default names of a tool: in the user's language and unit, in English, in mm and in inches, and as
+    written by earlier versions."""
     diameter, form = obj.Diameter.Value, NAMES[obj.Shape]
     sizes, forms = ((units.told(diameter, digits=6), f"{diameter:g} mm", f"{diameter / units.INCH:.6g} in"),
                     (tr(form), form))
@@ -96,7 +96,7 @@ def _names(obj):
 
 
 def described(obj):
-    """{name: value} of the tool as job files have it, its name last."""
+    """Returns the tool as {name: value} with the names of job files; the tool's name comes last."""
     needed = SHAPES[obj.Shape]
     told = {"number": obj.Number, "shape": obj.Shape}
     for name, (prop, words, standard) in LENGTHS.items():
@@ -113,7 +113,7 @@ def described(obj):
 
 
 def take(obj, told):
-    """Gives the object what a tool of job files' names says."""
+    """Sets the object's properties from a tool with the names of job files."""
     for name, value in told.items():
         if name in LENGTHS:
             setattr(obj, LENGTHS[name][0], value)
@@ -128,8 +128,8 @@ def take(obj, told):
 
 
 def add(setup, told=None):
-    """Adds a cutter to a set-up, described as in job files. Its number is the next free one where it has none or that
-    is taken. Returns the object; nothing is computed."""
+    """Adds a tool, given with the names of job files, to a set-up. If its number is missing or taken, it gets the next
+    free one. Returns the object; computes nothing."""
     tool, told = create_object(CamTool, setup.Document, "Tool"), dict(told or {})
     taken = {other.Number for other in setup.Tools}
     if told.get("number", 0) in taken or "number" not in told:

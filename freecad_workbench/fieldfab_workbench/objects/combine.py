@@ -1,4 +1,4 @@
-"""Two or more solids made one."""
+"""Boolean operations, blends and morphs of solids."""
 
 import functools
 
@@ -11,8 +11,8 @@ OPERATIONS = marked(("Union", "Intersection", "Difference", "Blend", "Morph"))
 
 
 class Combine(Solid):
-    """Union, intersection, difference (the first without the others), blend (a union with a fillet) or morph of other
-    objects' solids."""
+    """Union, intersection, difference (the first solid minus the others), blend (a union with a fillet) or morph of
+    other objects' solids."""
 
     NAME = "Combine"
 
@@ -38,7 +38,8 @@ class Combine(Solid):
                 obj.setEditorMode(name, 0 if obj.Operation == operation else 2)
 
     def csg(self, obj):
-        """Of shapes of OpenSCAD: it knows how their faces meet, and flat ones."""
+        """Returns the OpenSCAD text of a Boolean operation if all sources are OpenSCAD shapes, otherwise None. OpenSCAD
+        joins their faces exactly and also combines flat shapes."""
         texts = ([csg_of(each) for each in obj.Sources]
                  if obj.Operation in ("Union", "Intersection", "Difference") else [])
         return node(f"{obj.Operation.lower()}()", obj.Label, texts) if len(texts) > 1 and None not in texts else None
@@ -79,5 +80,5 @@ class Combine(Solid):
 
 
 def _longest_side(bounds):
-    """Of what field.bounds() gives; None is for a solid that has no end, or nothing in it."""
+    """Returns the longest side of field.bounds(), mm. Bounds of None belong to an infinite or empty solid."""
     return max(bounds[i + 3] - bounds[i] for i in range(3)) if bounds else 1.0

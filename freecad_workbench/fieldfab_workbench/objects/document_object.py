@@ -1,11 +1,11 @@
-"""What all proxies have in common, and those whose properties are settings of the kernel's workflow."""
+"""Base classes of all proxies, and of those whose properties are settings of the kernel's workflow."""
 
 from .. import registry
 from ..mistakes import in_a_line
 
 
 class DocumentObject:
-    """A proxy that stores nothing of its own in the document. Errors of its execute() for the user become one line in
+    """A proxy without state of its own in the document. Errors of execute() that concern the user become one line in
     FreeCAD's report view."""
 
     NAME = "Object"
@@ -20,11 +20,11 @@ class DocumentObject:
         self.add_properties(obj)
 
     def add_properties(self, obj):
-        """Adds what is missing; also called for documents of earlier versions."""
+        """Adds missing properties. Also called for documents of earlier versions."""
 
     @staticmethod
     def add(obj, kind, name, group, words, value=None, mode=0):
-        """A property, unless a document of an earlier version has it already."""
+        """Adds a property unless the object has it already, as in a document of an earlier version."""
         if name in obj.PropertiesList:
             return
         obj.addProperty(f"App::Property{kind}", name, group, words, mode)
@@ -38,7 +38,7 @@ class DocumentObject:
             setattr(obj, name, list(choices))
 
     def icon_name(self, obj):
-        """Of the icon in the tree."""
+        """Returns the name of the icon in the tree."""
         return self.NAME
 
     def execute(self, obj):
@@ -59,26 +59,26 @@ class DocumentObject:
 
 class WithSettings(DocumentObject):
     """An object with a property for each setting of some stages. A setting counts as given once a user has changed it
-    or has driven it by an expression; all others follow their defaults. The hidden property Given keeps the names of
-    the given ones."""
+    or has set an expression for it; all others follow their defaults. The hidden property Given stores the names of the
+    given settings."""
 
     _settling = False
 
     def stages(self, obj):
-        """[workflow.Stage] whose settings the object has."""
+        """Returns the workflow.Stage objects whose settings the object has."""
         raise NotImplementedError
 
     def settings(self, obj):
         return [setting for stage in self.stages(obj) for setting in stage.settings]
 
     def default(self, obj, setting):
-        """What holds where nothing is given; None: it follows from other things."""
+        """Returns the default of a setting, or None if it depends on other values."""
         return setting.default
 
     def settle(self, obj):
-        """Gives the object the properties of its settings and shows those that matter. Properties of other types stay,
-        hidden, for two reasons: FreeCAD's undo loses a property that goes and comes back in one step, and given values
-        are kept for when the user returns to the type."""
+        """Adds the properties of the object's settings and shows those that apply. Properties of other types of
+        operation stay, hidden, for two reasons: FreeCAD's undo loses a property that is removed and added in one step,
+        and the given values remain available if the user returns to the type."""
         if self._settling:
             return
         self._settling = True
@@ -117,8 +117,7 @@ class WithSettings(DocumentObject):
             obj.setEditorMode(name, 0 if name in shown else 2)
 
     def onChanged(self, obj, name):
-        """Notes that a setting is given now, unless the change is ours, or comes from opening, undo or redo of the
-        document."""
+        """Marks a setting as given. Ignores changes made by the proxy itself, and those of opening, undo and redo."""
         if self._settling or "Given" not in obj.PropertiesList or obj.Document.Restoring or obj.Document.Transacting:
             return
         if name in self._own(obj):
@@ -136,31 +135,31 @@ class WithSettings(DocumentObject):
             self.onChanged(obj, setting.property)
 
     def given(self, obj):
-        """{name: value} of what is given and matters."""
+        """Returns {name: value} of the given settings that apply."""
         effective = self.effective(obj)
         return {s.name: s.read(obj) for s in self.settings(obj) if s.property in obj.Given and s.matters(effective)}
 
     def effective(self, obj):
-        """{name: value} of all settings."""
+        """Returns {name: value} of all settings."""
         given, there = set(obj.Given), set(obj.PropertiesList)
         return {s.name: s.read(obj) if s.property in given else self.default(obj, s)
                 for s in self.settings(obj) if s.property in there}
 
     def problems(self, obj):
-        """{name: what is wrong} of the values given."""
+        """Returns {name: message} for the invalid values among the given ones."""
         given = self.given(obj)
         found = {s.name: s.problem(given[s.name]) for s in self.settings(obj) if s.name in given}
         return {name: words for name, words in found.items() if words}
 
     def check(self, obj):
-        """Raises ValueError for the first value that cannot be."""
+        """Raises ValueError for the first invalid value."""
         for name, words in self.problems(obj).items():
             raise ValueError(f"{obj.Label}: {name} {words}")
 
     def onDocumentRestored(self, obj):
         super().onDocumentRestored(obj)
         self.settle(obj)
-        self._settling = True  # documents keep values, but not their limits
+        self._settling = True  # documents store values, but not their limits
         for setting in self.settings(obj):
             setting.write(obj, setting.read(obj))
         self._settling = False
@@ -168,7 +167,7 @@ class WithSettings(DocumentObject):
 
 
 def create_object(kind, document, label):
-    """Adds an object without a shape, of a class, to the document; nothing is computed yet."""
+    """Adds an object without a shape, with a proxy of the given class; computes nothing yet."""
     obj = document.addObject("App::FeaturePython", kind.NAME)
     kind(obj)
     obj.Label = label

@@ -1,4 +1,4 @@
-"""A solid from a model's file: one of its parts, or all of it."""
+"""A solid from a model file: the whole model or one of its parts."""
 
 import os
 
@@ -10,7 +10,7 @@ from .solid import key_of
 
 
 class FilePart(FromFiles):
-    """A part of .frep text or of a mesh file: the document keeps where the file is and the part's name."""
+    """A part of .frep text or of a mesh file. The document stores the file's path and the part's name."""
 
     NAME = "FilePart"
 
@@ -37,7 +37,7 @@ class FilePart(FromFiles):
             self._follow_opened(obj)
 
     def _follow_opened(self, obj):
-        """Another version of the file may open other files."""
+        """Updates the list of opened files, which a new version of the file may change."""
         source = self.source(obj)
         model = source.model()
         opened = opened_by(model, source.path)

@@ -21,13 +21,13 @@ GROUP = "Parameters"
 
 
 def source_of_text(text):
-    """Of .frep text or a prefix math string."""
+    """Returns the Source of .frep text or of a prefix math string."""
     return Source(("frep", text), lambda progress: kernel.load().Solid(kernel.load().parse(text)))
 
 
 def property_name(name):
-    """Name of the property for a parameter: the parameter's own name. FreeCAD's expressions take `r`, `h` or `min` for
-    units; such names get a line below."""
+    """Returns the property name for a parameter: normally the parameter's own name. FreeCAD's expressions read `r`, `h`
+    or `min` as units, so such names get an underscore appended."""
     try:
         FreeCAD.Units.parseQuantity(f"1 {name}")
     except Exception:  # not a unit; 0.20 raises OSError
@@ -36,8 +36,8 @@ def property_name(name):
 
 
 class FrepSolid(Solid):
-    """A solid of .frep text. Each line `name = number` of the text is a property, too: its value counts instead of the
-    number, and expressions may drive it."""
+    """A solid of .frep text. Each line `name = number` of the text is also a property. The property's value replaces
+    the number, and expressions may set it."""
 
     NAME = "FrepSolid"
 
@@ -52,15 +52,15 @@ class FrepSolid(Solid):
 
     @staticmethod
     def follow_text(obj):
-        """Gives the object the parameters of its text. A number that has changed in the text is taken over; otherwise
-        the property keeps its value. A text with mistakes is not followed, since it may lack parameters only until it
-        is corrected."""
+        """Updates the properties to the parameters of the text. If a number has changed in the text, the property takes
+        it; otherwise the property keeps its value. A text with errors is ignored, since parameters may be missing only
+        temporarily."""
         if obj.FollowedText == obj.Expression:
             return
         try:
             if mistakes(obj.Expression):
                 return
-        except ImportError:  # no kernel: a recompute tells of it
+        except ImportError:  # no kernel: the recompute reports it
             return
         before, wanted = parameters(obj.FollowedText), parameters(obj.Expression)
         own = {name for name in obj.PropertiesList if obj.getGroupOfProperty(name) == GROUP}
@@ -79,7 +79,7 @@ class FrepSolid(Solid):
         obj.FollowedText = obj.Expression
 
     def text(self, obj):
-        """The text with the values of its parameters."""
+        """Returns the text with the current values of its parameters."""
         held = {name: property_name(name) for name in parameters(obj.Expression)}
         own = {name for name in obj.PropertiesList if obj.getGroupOfProperty(name) == GROUP}
         return with_values(obj.Expression, {name: getattr(obj, prop) for name, prop in held.items() if prop in own})

@@ -1,4 +1,4 @@
-"""Solids that are made from files which stay outside of the document."""
+"""Solids made from files outside of the document."""
 
 from .. import openscad
 from . import outside
@@ -6,14 +6,14 @@ from .solid import Solid
 
 
 class FromFiles(Solid):
-    """A solid that follows files: what has changed is read again at the next recompute."""
+    """A solid that follows files: changed files are read again at the next recompute."""
 
     def files(self, obj):
-        """The paths of those that it is made from."""
+        """Returns the paths of its input files."""
         raise NotImplementedError
 
     def add_outside(self, obj, name, group, words):
-        """A property of a file or folder that stays outside."""
+        """Adds a property for an external file or folder."""
         self.add(obj, "File" if name == "File" else "Path", name, group, words)
         mode = outside.HIDDEN | outside.OUTPUT
         self.add(obj, "String", f"{name}Beside", "Result",
@@ -26,7 +26,7 @@ class FromFiles(Solid):
             outside.forget(obj, name)
 
     def mustExecute(self, obj):
-        """Where a file has changed since."""
+        """Returns whether a file has changed since the last recompute."""
         return bool(getattr(obj, "Stamps", None)) and obj.Stamps != self.stamps(obj)
 
     def execute(self, obj):
@@ -35,7 +35,7 @@ class FromFiles(Solid):
             obj.Stamps = self.stamps(obj)
 
     def stamps(self, obj):
-        """Of its files, where they are there."""
+        """Returns the stamp of each file, or "missing"."""
         stamps = []
         for path in self.files(obj):
             try:

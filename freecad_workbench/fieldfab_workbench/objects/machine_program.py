@@ -1,4 +1,4 @@
-"""What a CAM set-up comes to: the moves, the machine's file, the set-up sheet. All of it is kept in the document."""
+"""Result of a CAM set-up: the moves, the machine file and the set-up sheet, all stored in the document."""
 
 import base64
 import io
@@ -15,7 +15,8 @@ from .document_object import DocumentObject, create_object
 
 
 class MachineProgram(DocumentObject):
-    """Planned anew when something it depends on has changed. One that fails or is cancelled keeps what it had."""
+    """A machine program, planned again when its inputs change. If planning fails or is cancelled, it keeps the previous
+    result."""
 
     NAME = "MachineProgram"
 
@@ -40,12 +41,12 @@ class MachineProgram(DocumentObject):
 
     @staticmethod
     def program(obj):
-        """What the machine gets, as bytes. Raises ValueError where nothing is planned."""
+        """Returns the machine file as bytes. Raises ValueError if nothing is planned."""
         return machine_file(obj)
 
     def onDocumentRestored(self, obj):
-        """Documents of earlier versions hold files. FreeCAD loses these when such an object is copied or deleted and
-        that is undone."""
+        """Converts file properties of documents of earlier versions to byte properties. FreeCAD loses such files if the
+        object is copied, or deleted and restored by undo."""
         super().onDocumentRestored(obj)
         for before, name in (("MachineFile", "PackedProgram"), ("SetupSheet", "PackedSheet"), ("Moves", "PackedMoves")):
             if before in obj.PropertiesList:
@@ -71,7 +72,7 @@ class MachineProgram(DocumentObject):
 
 
 def take(obj, plan):
-    """Gives the object a cam_job.Plan."""
+    """Stores a cam_job.Plan in the object."""
     moves = io.BytesIO()
     np.save(moves, cam_job.all_moves(plan))
     obj.PackedProgram, obj.PackedSheet, obj.PackedMoves = (
@@ -85,11 +86,11 @@ def take(obj, plan):
     obj.Notes = plan.notes
     obj.Zero = FreeCAD.Vector(*plan.zero)
     obj.Job, obj.Extension = plan.text, plan.extension
-    obj.MadeFrom = plan.digest  # last: the view is drawn anew when it changes
+    obj.MadeFrom = plan.digest  # last: a change of it redraws the view
 
 
 def packed(data):
-    """Bytes as a property keeps them."""
+    """Returns bytes as the value of a property."""
     return base64.b64encode(zlib.compress(data, 6)).decode()
 
 
@@ -98,12 +99,12 @@ def unpacked(text):
 
 
 def machine_file(obj):
-    """What the machine gets, as bytes. Raises ValueError where nothing is planned."""
+    """Returns the machine file as bytes. Raises ValueError if nothing is planned."""
     return _held(obj, "PackedProgram")
 
 
 def setup_sheet(obj):
-    """The page for the person at the machine, as bytes. Raises ValueError where nothing is planned."""
+    """Returns the set-up sheet for the machine operator, HTML as bytes. Raises ValueError if nothing is planned."""
     return _held(obj, "PackedSheet")
 
 
@@ -114,8 +115,8 @@ def _held(obj, name):
 
 
 def sections_of(obj):
-    """Moves of each operation as [(section, moves)]: the section they are made with, and an (n, 8) array of x, y, z
-    (mm, in the program's coordinates), feed (mm/min, 0 for rapids), bulge and the tool's axis."""
+    """Returns the moves as [(section, moves)], one for each operation. `moves` is an (n, 8) array of x, y, z (mm, in
+    the program's coordinates), feed (mm/min, 0 for rapids), bulge and the tool's axis."""
     if not obj.PackedMoves:
         return []
     told, moves = json.loads(obj.Sections), np.load(io.BytesIO(unpacked(obj.PackedMoves)))
@@ -124,14 +125,14 @@ def sections_of(obj):
 
 
 def clock(seconds):
-    """1:02:03 h or 2:03 min."""
+    """Formats seconds as "1:02:03 h" or "2:03 min"."""
     minutes, seconds = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02d}:{seconds:02d} h" if hours else f"{minutes}:{seconds:02d} min"
 
 
 def write_machine_file(obj, path):
-    """Writes what the machine gets, whole or not at all. Raises ValueError where nothing is planned, OSError."""
+    """Writes the machine file, whole or not at all. Raises OSError, and ValueError if nothing is planned."""
     kernel.write_file(path, machine_file(obj))
 
 
@@ -140,7 +141,7 @@ def write_setup_sheet(obj, path):
 
 
 def create(setup):
-    """Adds the machine program of a set-up to the document; not yet planned."""
+    """Adds the machine program of a set-up to the document; does not plan it yet."""
     program = create_object(MachineProgram, setup.Document, f"Program of {setup.Label}")
     program.Setup = setup
     return program

@@ -1,4 +1,4 @@
-"""One solid made into another."""
+"""Modifications of one solid: offset, shell, infill, copies and transforms."""
 
 import functools
 import math
@@ -11,7 +11,7 @@ from ..sources import Source
 from ..words import marked, tr
 from .solid import Solid, csg_of, source_of
 
-# What each operation needs.
+# {operation: properties that it needs}
 OPERATIONS = marked({
     "Offset": ("Distance",),
     "Shell": ("Wall",),
@@ -21,7 +21,7 @@ OPERATIONS = marked({
     "Polar array": ("Direction", "Centre", "Count", "Angle"),
     "Transform": ("Factors", "Turn", "Direction", "Centre", "Step"),
 })
-# Which of these are ways out of, or into, the source's surface.
+# {operation: the property whose magnitude is the needed distance from the source's surface}
 REACHES = {"Offset": "Distance", "Shell": "Wall", "Lattice infill": "Wall"}
 LATTICES = marked(("gyroid", "schwarz_p", "diamond"))
 
@@ -74,13 +74,13 @@ class Modify(Solid):
                 obj.setEditorMode(name, 0 if name in OPERATIONS[obj.Operation] else 2)
 
     def csg(self, obj):
-        """Of a transform of a shape of OpenSCAD, which may be flat."""
+        """Returns the OpenSCAD text of a transformed OpenSCAD shape, which may be flat; otherwise None."""
         text = csg_of(obj.Source) if obj.Operation == "Transform" and obj.Source is not None else None
         return text and text.placed(self.matrix(obj).A, obj.Label)
 
     @staticmethod
     def matrix(obj):
-        """Of a transform."""
+        """Returns the FreeCAD matrix of a transform."""
         scaled = FreeCAD.Matrix()
         scaled.scale(obj.Factors)
         turn = FreeCAD.Rotation(obj.Direction, obj.Turn.Value) if obj.Turn.Value else FreeCAD.Rotation()
@@ -112,7 +112,7 @@ class Modify(Solid):
 
     @staticmethod
     def check(obj, values):
-        """Raises ValueError for values that make no solid."""
+        """Raises ValueError for values that give no valid solid."""
         for name in ("Wall", "Period", "Strut"):
             bare = name == "Wall" and obj.Operation == "Lattice infill" and values[name] == 0
             if name in values and not values[name] > 0 and not bare:

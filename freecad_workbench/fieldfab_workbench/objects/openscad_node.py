@@ -9,18 +9,18 @@ from . import outside
 from .from_files import FromFiles
 from .solid import csg_of
 
-LONG = 100_000  # letters; a longer text is no good in a property editor
+LONG = 100_000  # characters; longer texts are hidden in the property editor
 
 
 class OpenScadSolid(FromFiles):
-    """A solid that OpenSCAD's text says."""
+    """A solid defined by OpenSCAD text."""
 
     def source(self, obj):
         return openscad.OpenScadSource(self.csg(obj), obj.Label)
 
 
 class OpenScadNode(OpenScadSolid):
-    """A cube, an extrusion, a hull, ...: whatever openscad_nodes.py has."""
+    """An OpenSCAD node such as a cube, an extrusion or a hull: any kind in openscad_nodes.KINDS."""
 
     NAME = "OpenScadNode"
 
@@ -75,7 +75,7 @@ class OpenScadNode(OpenScadSolid):
 
 
 class OpenScadText(OpenScadSolid):
-    """A design, or a part of one, as its .csg text."""
+    """A design, or a branch of one, as .csg text."""
 
     NAME = "OpenScadText"
 

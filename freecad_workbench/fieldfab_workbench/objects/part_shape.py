@@ -1,4 +1,4 @@
-"""A Part shape that follows a solid, for Part, Part Design and TechDraw."""
+"""A Part shape that follows a solid, for use in Part, Part Design and TechDraw."""
 
 import hashlib
 
@@ -13,9 +13,9 @@ SEWING = 1e-4  # mm
 
 
 class PartShape(DocumentObject):
-    """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, in the Source's place. Making
-    one takes about a millisecond a triangle, and more than in proportion beyond some thousands. So the triangles are
-    first reduced to MostTriangles; then those that lie in a plane become one face. Curved surfaces stay facets."""
+    """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, with the Source's placement. The
+    conversion takes about 1 ms a triangle, and grows faster than linearly beyond some thousands. So the mesh is first
+    reduced to MostTriangles; then coplanar triangles are merged into one face. Curved surfaces stay faceted."""
 
     NAME = "PartShape"
 
@@ -32,7 +32,7 @@ class PartShape(DocumentObject):
             mode=4)
 
     def execute(self, obj):
-        """Makes the shape. What goes wrong is raised: FreeCAD then marks the object, which keeps the shape it had."""
+        """Makes the shape. Raises errors: FreeCAD then marks the object, which keeps its previous shape."""
         if obj.Source is None or not hasattr(obj.Source, "Mesh"):
             raise ValueError(tr("{label}: choose a solid or a mesh as its Source").format(label=obj.Label))
         if not obj.Source.isValid():
@@ -54,7 +54,8 @@ def _content(source):
 
 
 def shape_of(mesh, most_triangles, merge_faces, label):
-    """The Part solids of a Mesh.Mesh, which is reduced. Raises ValueError where none can be made."""
+    """Returns the Part solids of a Mesh.Mesh, which is reduced in place if it is too large. Raises ValueError if the
+    conversion fails."""
     if mesh.CountFacets == 0:
         raise ValueError(tr("{label}: the mesh is empty").format(label=label))
     if mesh.CountFacets > most_triangles:
@@ -80,7 +81,7 @@ def shape_of(mesh, most_triangles, merge_faces, label):
 
 
 def _signed_volume(mesh):
-    """Below 0 where the triangles face inwards, as those around a cavity do."""
+    """Returns the signed volume, negative if the triangles face inwards, as around a cavity."""
     import numpy as np  # not before it is needed: the workbench must load quickly
 
     points, facets = mesh.Topology
@@ -89,7 +90,7 @@ def _signed_volume(mesh):
 
 
 def _hollowed(pieces, cavities):
-    """Solids as one shape, each cavity taken out of the piece around it."""
+    """Returns the solids as one shape, with each cavity cut from the piece that surrounds it."""
     for cavity in cavities:
         for i, piece in enumerate(pieces):
             if piece.BoundBox.isInside(cavity.BoundBox) and piece.isInside(cavity.Vertexes[0].Point, SEWING, False):
@@ -99,7 +100,7 @@ def _hollowed(pieces, cavities):
 
 
 def create(document, source):
-    """Adds the shape of a source to the document; not yet computed."""
+    """Adds the shape of a source to the document; computes nothing yet."""
     obj = document.addObject("Part::FeaturePython", PartShape.NAME)
     PartShape(obj)
     obj.Label, obj.Source = f"{source.Label} shape", source

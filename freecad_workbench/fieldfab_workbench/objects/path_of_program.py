@@ -1,4 +1,4 @@
-"""One operation of a machine program as a path of FreeCAD's own Path workbench, for its post processors, simulator and
+"""One operation of a machine program as a path of FreeCAD's Path workbench, for its post processors, simulator and
 dress-ups."""
 
 import re
@@ -17,8 +17,8 @@ HEIGHTS = (described("StartDepth", "z at which cutting begins"), described("Fina
 
 
 class PathOfProgram(DocumentObject):
-    """A path that follows the program. Three-axis cuts are in the document's coordinates, as in FreeCAD's jobs. Cuts of
-    tilting tools are the words of the machine's own file, since only they say how the machine turns."""
+    """A path that follows the program. Three-axis cuts are in document coordinates, as in FreeCAD's jobs. Cuts with a
+    tilted tool are copied from the machine file, since only it contains the rotary axes' words."""
 
     NAME = "PathOfProgram"
 
@@ -28,7 +28,7 @@ class PathOfProgram(DocumentObject):
                  "Index of the operation, from 0; -1: all operations, as in the machine file", 0)
         self.add(obj, "Link", "ToolController", "Path", "Tool controller of the Path job")
         self.add(obj, "Bool", "Active", "Path", "Include the operation in the Path job", True)
-        for name, words in HEIGHTS:  # FreeCAD's dress-ups ask for these
+        for name, words in HEIGHTS:  # FreeCAD's dress-ups read these
             self.add(obj, "Distance", name, "Depth", words, mode=1)
         self.add_choice(obj, "CoolantMode", "Path", "Coolant while cutting", ("None", "Flood", "Mist"))
 
@@ -58,7 +58,7 @@ class PathOfProgram(DocumentObject):
 
 
 def gcode_of(moves, zero=(0, 0, 0)):
-    """(n, 8) moves as G-code for Path.Path, whose feeds are mm/s. `zero`: where the program's zero is."""
+    """Returns (n, 8) moves as G-code for Path.Path, with feeds in mm/s. `zero`: position of the program's zero."""
     to, feed, bulge = moves[:, :3] + np.array(tuple(zero)), moves[:, 3] / 60, moves[:, 4]
     begin = np.vstack([to[:1], to[:-1]])
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -67,7 +67,7 @@ def gcode_of(moves, zero=(0, 0, 0)):
         arm = (to - begin)[:, :2] / 2 + ((1 - bulge**2) / (4 * bulge))[:, None] * across
     lines = []
     if len(moves):
-        lines.append(f"G0 Z{to[0, 2]:.5f}")  # first up, where it is safe
+        lines.append(f"G0 Z{to[0, 2]:.5f}")  # first up to a safe height
     for (x, y, z), f, b, (i, j) in zip(to.tolist(), feed.tolist(), bulge.tolist(), arm.tolist()):
         if b:
             lines.append(f"G{3 if b > 0 else 2} X{x:.5f} Y{y:.5f} Z{z:.5f} I{i:.5f} J{j:.5f} F{f:.5f}")
@@ -82,8 +82,8 @@ _WORDS = re.compile(r"^(?:G0?[0123]\b|(?=[XYZABCF][-.\d]))", re.MULTILINE)
 
 
 def words_of_file(text):
-    """Moves of a machine's G-code for Path.Path: without header, tool changes and comments; feeds in mm/s. Raises
-    ValueError for files that are not G-code in millimetres."""
+    """Returns the moves of a machine's G-code for Path.Path: without header, tool changes and comments, with feeds in
+    mm/s. Raises ValueError for files other than G-code in millimetres."""
     if not re.search(r"^G0?[01]\b", text, re.MULTILINE) or re.search(r"\bG20\b", text):
         raise ValueError(tr("FreeCAD's Path takes G-code in millimetres: choose such a machine"))
     lines, mode = [], "G0"
@@ -98,7 +98,7 @@ def words_of_file(text):
 
 
 def create(program, section=0):
-    """Adds the path of an operation to the document; not yet computed."""
+    """Adds the path of an operation to the document; computes nothing yet."""
     obj = program.Document.addObject("Path::FeaturePython", "PathOfProgram")
     PathOfProgram(obj)
     obj.Program, obj.Section = program, section
@@ -110,7 +110,7 @@ def create(program, section=0):
 
 
 def create_all(program):
-    """The paths of a program: one an operation; one for all where a tool leans."""
+    """Adds the paths of a program: one for each operation, or a single one if a tool is tilted."""
     sections = sections_of(program)
     if any(section["tilted"] for section, moves in sections):
         return [create(program, -1)]

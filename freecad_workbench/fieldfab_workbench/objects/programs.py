@@ -1,5 +1,4 @@
-"""Sources of machine programs: files, and objects of the document that have one. FreeCAD's own Path Jobs give tools,
-stock and part, too."""
+"""Sources of machine programs: files and document objects. FreeCAD's Path Jobs also provide tools, stock and part."""
 
 import os
 import re
@@ -7,7 +6,7 @@ from collections import namedtuple
 
 from ..words import tr
 
-# text: bytes; name: of the file that it is, or would be, which tells its language; path: where it is, or None.
+# text: bytes; name: actual or hypothetical file name, whose extension selects the language; path: str or None.
 Program = namedtuple("Program", "text name path")
 
 _FEED = re.compile(r"\bF(-?[0-9.]+)")
@@ -19,18 +18,19 @@ def is_job(obj):
 
 
 def is_planned(obj):
-    """Whether it is a machine program of ours: its job says all that a simulation has to know."""
+    """Returns whether it is one of Fieldfab's machine programs, whose job is also a complete set-up for simulation."""
     return getattr(getattr(obj, "Proxy", None), "NAME", "") == "MachineProgram"
 
 
 def offers_program(obj):
-    """Whether program_of() may find one: a machine program, a Path operation, a Path Job."""
+    """Returns whether the object is of a kind that program_of() accepts: a machine program, a Path operation or a Path
+    Job."""
     return (bool(getattr(obj, "ProgramFile", "")) or is_planned(obj) or is_job(obj)
             or (hasattr(obj, "Path") and hasattr(obj.Path, "toGCode")))
 
 
 def program_from_file(path):
-    """Raises ValueError with a line for the user."""
+    """Returns the Program in a file. Raises ValueError with a line for the user."""
     try:
         with open(path, "rb") as file:
             return Program(file.read(), os.path.basename(path), path)
@@ -40,7 +40,7 @@ def program_from_file(path):
 
 
 def program_of(obj):
-    """The Program of an object. Raises ValueError with a line for the user."""
+    """Returns the Program of an object. Raises ValueError with a line for the user."""
     if getattr(obj, "ProgramFile", ""):
         return program_from_file(obj.ProgramFile)
     if is_planned(obj):
@@ -57,13 +57,14 @@ def program_of(obj):
 
 
 def _text_of(operation):
-    """G-code of a Path object. FreeCAD's feeds are mm/s, a program's mm/min."""
+    """Returns the G-code of a Path object, with FreeCAD's feeds in mm/s converted to mm/min."""
     text = operation.Path.toGCode()
     return _FEED.sub(lambda feed: f"F{60 * float(feed[1]):.6g}", text)
 
 
 def _text_of_job(job):
-    """All active operations in their order, the tool of each before it where it changes."""
+    """Returns the G-code of all active operations in order, with a tool change before an operation if its tool
+    differs."""
     text, tool = [], None
     for operation in job.Operations.Group:
         if not getattr(operation, "Active", True) or not hasattr(operation, "Path"):
@@ -77,7 +78,7 @@ def _text_of_job(job):
 
 
 def controller_of(operation):
-    """The tool controller of a Path operation; a dress-up has that of what it dresses. None where there is none."""
+    """Returns the tool controller of a Path operation, for a dress-up that of its base operation, or None."""
     while operation is not None:
         if getattr(operation, "ToolController", None) is not None:
             return operation.ToolController
@@ -87,8 +88,8 @@ def controller_of(operation):
 
 
 def tools_of(obj):
-    """Tools of a Path Job or operation as tables of a set-up, in mm and degrees: [{"number": 1, "shape": "flat",
-    "diameter": 6, ...}]."""
+    """Returns the tools of a Path Job or operation as tables of a set-up, in mm and degrees: [{"number": 1, "shape":
+    "flat", "diameter": 6, ...}]."""
     controllers = obj.Tools.Group if is_job(obj) else [controller_of(obj)]
     return [_tool(c) for c in controllers if c is not None and getattr(c, "Tool", None) is not None]
 
@@ -122,13 +123,13 @@ _MOTION = re.compile(r"\bG0*([0-3]|8[0-9])(?!\d)")
 
 
 def _words(program):
-    """A G-code program's text without comments, and how many mm its unit has."""
+    """Returns a G-code program's text without comments, and the length of its unit in mm."""
     text = re.sub(r"\([^)\n]*\)|;[^\n]*", "", program.text.decode("latin-1").upper())
     return text, 25.4 if re.search(r"\bG0*20(?!\d)", re.sub(r"(?=[GM])", " ", text)) else 1.0
 
 
 def highest_cut(program):
-    """The highest Z, mm, at which a G-code program goes sideways with its feed; None where it nowhere does."""
+    """Returns the highest Z, mm, at which a G-code program moves sideways in a feed, or None if it never does."""
     text, unit = _words(program)
     height = highest = None
     cutting = False
@@ -143,9 +144,9 @@ def highest_cut(program):
 
 
 def extent(program):
-    """Corners ((x, y, z), (x, y, z)), mm, of the box that a G-code program's X, Y and Z words span; None where one of
-    the three is missing. It is a first guess at the stock: words of G91, of offsets and of subroutines count as places,
-    too."""
+    """Returns the corners ((x, y, z), (x, y, z)), mm, of the box spanned by a G-code program's X, Y and Z words, or
+    None if an axis has no words. This is only an initial guess of the stock: incremental words (G91), offsets and words
+    in subroutines are read as positions."""
     text, unit = _words(program)
     spans = []
     for letter in "XYZ":

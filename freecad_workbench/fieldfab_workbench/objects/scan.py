@@ -14,8 +14,8 @@ MISSING, CHANGED, AS_READ, UNREAD = marked(("missing", "changed since it was rea
 
 
 class Scan(Solid):
-    """Solid of what is denser than a threshold in a CT volume. The file stays outside of the document, which remembers
-    its path (relative to the document where it lies beside it) and its state when it was read."""
+    """The solid where the density of a CT volume exceeds a threshold. The file stays outside of the document. The
+    document stores its path (also relative to the document, see outside.py) and its stamp when it was read."""
 
     NAME = "Scan"
 
@@ -55,11 +55,11 @@ class Scan(Solid):
             self.look(obj)
 
     def path(self, obj):
-        """Where the file is; "" where none is named."""
+        """Returns the path of the file, or "" if none is set."""
         return path_of(obj, "File")
 
     def file(self, obj):
-        """The scans.ScanFile. Raises ValueError."""
+        """Returns the scans.ScanFile. Raises ValueError."""
         path = self.path(obj)
         if not path:
             raise ValueError(tr("{label}: choose the File of a scan").format(label=obj.Label))
@@ -70,7 +70,7 @@ class Scan(Solid):
                         tuple(obj.Spacing) if obj.Spacing.Length else None, obj.Series)
 
     def cut(self, obj):
-        """The scans.Cut. Raises ValueError."""
+        """Returns the scans.Cut. Raises ValueError."""
         crop = tuple(obj.Crop)
         if crop and (len(crop) != 6 or min(crop) < 0 or any(a >= b for a, b in zip(crop, crop[3:]))):
             raise ValueError(tr("{label}: Crop is the first sample along x, y and z, then the last, or nothing").format(
@@ -102,7 +102,8 @@ class Scan(Solid):
         return {MISSING: "ScanMissing", CHANGED: "ScanChanged"}.get(obj.FileState, "Scan")
 
     def look(self, obj):
-        """Notices whether the file is there and what it was. Reads nothing of it."""
+        """Updates the file state (unread, as read, changed or missing) and the icon. Reads the file's stamp, not its
+        contents."""
         path = self.path(obj)
         try:
             stamp = ScanFile(path).stamp() if path else ""

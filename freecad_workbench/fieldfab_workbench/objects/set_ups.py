@@ -1,4 +1,4 @@
-"""Set-ups for simulations from plain values: the text of docs/simulation.md."""
+"""Set-ups of simulations as text (docs/simulation.md), made from plain values."""
 
 import json
 
@@ -11,12 +11,12 @@ DEFAULT_TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 20, "lengt
 
 
 def tool_to_line(tool):
-    """A tool's table as a line for a property."""
+    """Returns a tool's table as a line of a property."""
     return json.dumps(tool, ensure_ascii=False)
 
 
 def tool_from_line(line):
-    """Raises ValueError with a line for the user."""
+    """Returns the tool's table in a line. Raises ValueError with a line for the user."""
     try:
         tool = json.loads(line)
     except ValueError:
@@ -32,8 +32,8 @@ def tool_from_line(line):
 
 
 def text(tools, lower, upper, machine="", tolerances=None, more=""):
-    """Text of a set-up. `tools`: tables; `lower`, `upper`: corners of the stock, mm; `machine`: an id, or nothing for
-    three axes; `tolerances`: gouge, excess and touch, mm; `more`: further lines for the top, and further tables."""
+    """Returns the text of a set-up. `tools`: tables; `lower`, `upper`: corners of the stock, mm; `machine`: an id, or
+    "" for three axes; `tolerances`: gouge, excess and touch, mm; `more`: further top-level lines and tables."""
     top = [f"machine = {_value(machine)}"] if machine else []
     stock = {"lower": [float(v) for v in lower], "upper": [float(v) for v in upper]}
     tables = [_table("[stock]", stock), _table("[target]", tolerances or {}),
@@ -46,4 +46,4 @@ def _table(head, values):
 
 
 def _value(value):
-    return json.dumps(value, ensure_ascii=False)  # as TOML has it
+    return json.dumps(value, ensure_ascii=False)  # also valid TOML

@@ -1,4 +1,4 @@
-"""A machine program carried out on a stock: what is left is a solid, what went wrong on the way is told."""
+"""Simulation of a machine program on a stock. The remaining material is a solid; faults are reported as events."""
 
 import functools
 import hashlib
@@ -23,12 +23,12 @@ DIALECTS = (OF_THE_MACHINE, "linuxcnc", "fanuc", "grbl", "mach3")
 KINDS = marked(("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped",
                 "gouge", "excess"))
 CONTACTS = KINDS[:4]
-KEPT_RUNS = 2  # a run holds its stock at up to 64 moments
+KEPT_RUNS = 2  # each run stores its stock at up to 64 times
 
 
 class Run:
-    """A finished simulation that can be played back. `simulation`: fieldfab.stock.Simulation; `report`: its report;
-    `lines`: the program's text."""
+    """A finished simulation for playback. `simulation`: fieldfab.stock.Simulation; `report`: its report; `lines`: the
+    program's text."""
 
     def __init__(self, task, progress):
         self.folder = tempfile.TemporaryDirectory(prefix="fieldfab_")
@@ -38,12 +38,12 @@ class Run:
                                                          cell=task.cell or None, remember=True,
                                                          progress=progress, dialect=task.dialect or None)
         self.report = self.simulation.report
-        # Written here, where nobody waits for it.
+        # Written here, since this thread does not block the window.
         self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
 
     def _file(self, text, name, path):
-        """Where a file is; one that is nowhere is written beside the run."""
+        """Returns the path of a file. Text without a path is written to the run's temporary folder."""
         if path is None:
             path = os.path.join(self.folder.name, name)
             with open(path, "wb") as file:
@@ -52,9 +52,9 @@ class Run:
 
 
 class Task:
-    """All inputs of a simulation, taken from the document, so that any thread may work with them. `program` and
-    `setup`: (bytes, name, path or None). `target`, `stock` and `part` (the one a job of ours was planned for): Sources
-    or None. `cell`: mm, 0 for automatic. `dialect`: that of its G-code, "" for the set-up's."""
+    """All inputs of a simulation, copied from the document, so that it can run on any thread. `program` and `setup`:
+    (bytes, name, path or None). `target`, `stock` and `part` (for which a Fieldfab job was planned): Sources or None.
+    `cell`: mm, 0 for automatic. `dialect`: the dialect of its G-code, "" for the set-up's."""
 
     def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None, dialect=""):
         self.program, self.setup, self.target, self.stock, self.cell, self.part, self.dialect = (
@@ -64,7 +64,7 @@ class Task:
         self.digest = hashlib.sha1(repr(told).encode()).hexdigest()
 
     def run(self, progress=None):
-        """The Run: one that was kept, or a new one. Raises fieldfab.Error."""
+        """Returns a cached Run, or simulates a new one. Raises fieldfab.Error."""
         if self.digest not in _runs:
             _runs[self.digest] = Run(self, progress)
         _runs.move_to_end(self.digest)
@@ -77,7 +77,7 @@ _runs = OrderedDict()
 
 
 def _models_of(setup):
-    """Sizes and times of the files that a set-up file names."""
+    """Returns the sizes and modification times of the files named in a set-up file."""
     text, _, path = setup
     if path is None:
         return ()
@@ -87,19 +87,19 @@ def _models_of(setup):
 
 
 def bounds_of(obj):
-    """The box of an object's mesh or shape in the document."""
+    """Returns the bounding box of an object's mesh or shape in document coordinates."""
     box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).BoundBox
     return (box.transformed((obj.getGlobalPlacement() * obj.Placement.inverse()).toMatrix())
             if hasattr(obj, "getGlobalPlacement") else box)
 
 
 def event_order(event):
-    """For sorting events, the worst first."""
+    """Key that sorts events, the worst first."""
     return (KINDS.index(event["kind"]) if event["kind"] in KINDS else len(KINDS), -abs(event["amount"]))
 
 
 def verdict(events, say=str):
-    """What came of it, in a line; `say` may be tr, but documents keep it in English. `events`: the worst first."""
+    """Returns the outcome in one line. `events`: the worst first. `say` may be tr; documents store the English text."""
     if not events:
         return say(marked("good"))
     worst = events[0]
@@ -108,14 +108,14 @@ def verdict(events, say=str):
 
 
 def planned_of(simulation):
-    """The machine program whose set-up holds; None where there is none."""
+    """Returns the machine program whose set-up the simulation uses, or None."""
     program = simulation.Program if simulation.Program is not None else getattr(simulation, "SetupProgram", None)
     return program if programs.is_planned(program) else None
 
 
 class Simulation(Solid):
-    """The stock that a program leaves. Its coordinates are the part's, which are the document's. The stock's mesh, the
-    figures and the events are saved with the document."""
+    """The stock after a program, in document coordinates, which are also the part's. The document stores the stock's
+    mesh, the figures and the events."""
 
     NAME = "Simulation"
 
@@ -175,8 +175,8 @@ class Simulation(Solid):
     @staticmethod
     def show_what_matters(obj):
         if not hasattr(obj, "Stock") or not hasattr(obj, "SetupFile") or not hasattr(obj, "Program"):
-            return  # an object that is being made
-        there = set(obj.PropertiesList)  # while a document is opened they come one by one
+            return  # during creation of the object
+        there = set(obj.PropertiesList)  # while a document is opened, properties are added one by one
         for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch",
                      "MoreOfSetup"):
             corner = name in ("StockLower", "StockUpper")
@@ -186,13 +186,13 @@ class Simulation(Solid):
                 obj.setEditorMode(name, 0 if counts else 2)
 
     def source(self, obj):
-        """What is left, as a solid."""
+        """Returns the remaining stock as a Source. Raises ValueError before the first simulation."""
         if not obj.Mesh.CountFacets:
             raise ValueError(tr("{label} was not simulated yet").format(label=obj.Label))
         return source_of_geometry(obj)
 
     def task(self, obj):
-        """The Task that the properties describe. Raises ValueError with a line for the user."""
+        """Returns the Task for the object's properties. Raises ValueError with a line for the user."""
         if obj.Program is None and not obj.ProgramFile:
             raise ValueError(tr("{label}: choose a program").format(label=obj.Label))
         program = (programs.program_of(obj.Program) if obj.Program is not None
@@ -208,7 +208,7 @@ class Simulation(Solid):
                     "" if obj.Dialect == OF_THE_MACHINE else obj.Dialect)
 
     def setup(self, obj):
-        """The set-up as (bytes, name, path or None)."""
+        """Returns the set-up as (bytes, name, path or None)."""
         path = obj.SetupFile or getattr(obj.Program, "SetupFile", "")
         if path:
             try:
@@ -222,7 +222,7 @@ class Simulation(Solid):
         lower, upper = obj.StockLower, obj.StockUpper
         if obj.Stock is not None:
             box = bounds_of(obj.Stock)
-            # The room keeps its faces off those of the box.
+            # A margin separates the solid's faces from those of the stock's box.
             room = FreeCAD.Vector(1, 1, 1) * max(0.01, box.DiagonalLength / 1000)
             lower, upper = (FreeCAD.Vector(box.XMin, box.YMin, box.ZMin) - room,
                             FreeCAD.Vector(box.XMax, box.YMax, box.ZMax) + room)
@@ -235,12 +235,13 @@ class Simulation(Solid):
         return set_ups.text(tools, lower, upper, machine, tolerances, obj.MoreOfSetup).encode(), "setup.toml", None
 
     def ahead(self, obj):
-        """Nothing: its panel carries it out."""
+        """Returns None: the panel runs the simulation."""
 
-    edited = False  # whether its panel is open, which hides it and shows what it makes
+    edited = False  # whether its panel is open, which hides the object and shows the result
 
     def waits(self, obj):
-        """Whether it is carried out anew only once it is shown: while it is hidden nobody looks at it."""
+        """Returns whether the simulation is postponed until the object is shown: it is hidden and no other object needs
+        its mesh."""
         return (bool(obj.MadeFrom) and not self.edited and not obj.Visibility
                 and all(is_solid(user) for user in obj.InList))
 
@@ -248,11 +249,11 @@ class Simulation(Solid):
         return obj.MadeFrom == self.task(obj).digest
 
     def kept_run(self, obj):
-        """The Run that the object shows, if it was carried out in this session; else None. Raises as task() does."""
+        """Returns the Run that the object shows if this session made it, otherwise None. Raises as task() does."""
         return _runs.get(obj.MadeFrom) if obj.MadeFrom == self.task(obj).digest else None
 
     def execute(self, obj):
-        """Carries the program out. Raises errors: FreeCAD then marks the object, which keeps its last result."""
+        """Simulates the program. Raises errors: FreeCAD then marks the object, which keeps its last result."""
         if self.waits(obj):
             return
         fieldfab = kernel.load()

@@ -1,4 +1,4 @@
-"""What all solids have in common: a mesh in the document that follows a Field."""
+"""Base class of all solids: a mesh in the document that approximates a Field."""
 
 import hashlib
 
@@ -12,29 +12,29 @@ from .document_object import DocumentObject
 
 
 class Solid(DocumentObject):
-    """Proxy of a Mesh::FeaturePython object. Subclasses say where the solid comes from (`source`); this class has the
-    mesh, its resolution and its figures. Lengths are mm. The mesh is saved with the document, and made again only when
-    its inputs have changed."""
+    """Proxy of a Mesh::FeaturePython object. Subclasses define the solid (`source`); this class manages the mesh, its
+    resolution and its figures. Lengths are mm. The document stores the mesh, which is made again only after its inputs
+    have changed."""
 
-    NAME = "Solid"  # of new objects, and of the icon
+    NAME = "Solid"  # name of new objects and of the icon
 
-    # To be told by each kind of solid.
+    # Defined by each kind of solid.
     def add_own_properties(self, obj):
-        """Adds what this kind of solid is made from, with `add`."""
+        """Adds the properties that define this kind of solid, with `add`."""
 
     def source(self, obj):
-        """A sources.Source of the solid in its own coordinates. Raises ValueError with a line for the user."""
+        """Returns a sources.Source of the solid in its own coordinates. Raises ValueError with a line for the user."""
         raise NotImplementedError
 
     def csg(self, obj):
-        """The solid in its own coordinates as OpenSCAD's text, an openscad.Text; None where OpenSCAD cannot express it.
-        Raises ValueError."""
+        """Returns the solid in its own coordinates as an openscad.Text, or None if OpenSCAD cannot express it. Raises
+        ValueError."""
         return None
 
     def icon_name(self, obj):
         return getattr(obj, "Operation", self.NAME)
 
-    # The same for all.
+    # Common to all kinds.
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
@@ -68,7 +68,7 @@ class Solid(DocumentObject):
             mode=4)
 
     def mesh_settings(self, obj):
-        """The settings of sources.Source.mesh()."""
+        """Returns the settings of sources.Source.mesh()."""
         settings = {"voxel": obj.VoxelSize.Value or None, "max_error": obj.MaxError.Value or None}
         if settings["voxel"] is None and preferences.cells() not in (0, kernel.load().default_cells):
             settings["cells"] = preferences.cells()
@@ -77,8 +77,8 @@ class Solid(DocumentObject):
         return {name: value for name, value in settings.items() if value is not None}
 
     def execute(self, obj):
-        """Makes the mesh, unless it can wait until the solid is shown. Raises errors: FreeCAD then marks the object,
-        which keeps its last mesh."""
+        """Makes the mesh, unless it is postponed until the solid is shown. Raises errors: FreeCAD then marks the
+        object, which keeps its last mesh."""
         if self.waits(obj):
             return
         try:
@@ -86,12 +86,12 @@ class Solid(DocumentObject):
         except work.Cancelled:
             raise ValueError(tr("{label}: cancelled; it is unchanged").format(label=obj.Label)) from None
 
-    # What MadeFrom will be, and a function that returns the mesh that was made ahead, or raises its error.
+    # Future value of MadeFrom, and a function that returns the mesh made in advance, or raises its error.
     _ready = (None, None)
 
     def ahead(self, obj):
-        """Returns a `function(progress)` that makes the mesh for the next recompute, on any thread. None where nothing
-        is to be made, or where the recompute has to report an error."""
+        """Returns a `function(progress)` that makes the mesh for the next recompute, on any thread. Returns None if the
+        mesh is up to date or postponed, or if the recompute has to report an error."""
         try:
             source, settings = self.source(obj), self.mesh_settings(obj)
         except ValueError:
@@ -111,11 +111,12 @@ class Solid(DocumentObject):
 
     @staticmethod
     def waits(obj):
-        """Whether nobody needs the mesh now: other solids are made of Fields, not of meshes."""
+        """Returns whether the mesh is postponed until the solid is shown. Other solids need only its Field, not its
+        mesh."""
         return obj.OnlyWhenShown and not obj.Visibility and all(is_solid(user) for user in obj.InList)
 
     def make_mesh(self, obj):
-        """Makes the mesh, where it is not what it should be. Raises ValueError, and work.Cancelled."""
+        """Makes the mesh if it is out of date. Raises ValueError, and work.Cancelled."""
         fieldfab, (ready_for, ready), self._ready = kernel.load(), self._ready, (None, None)
         try:
             source, settings = self.source(obj), self.mesh_settings(obj)
@@ -132,13 +133,13 @@ class Solid(DocumentObject):
         obj.MadeFrom = made_from
 
     def has_its_mesh(self, obj):
-        """Whether the mesh is what it should be. Raises ValueError."""
+        """Returns whether the mesh is up to date. Raises ValueError."""
         return obj.MadeFrom == key_of(self.source(obj), self.mesh_settings(obj))
 
     @staticmethod
     def put_mesh(obj, mesh, made=None):
-        """Gives the object a fieldfab.Mesh in its own coordinates. `made`: the same mesh in FreeCAD's form, if there is
-        one. The object's place stays."""
+        """Stores a fieldfab.Mesh, in the object's own coordinates, in the object. `made`: the same mesh as a Mesh.Mesh,
+        if available. The object keeps its placement."""
         placement = obj.Placement
         obj.Mesh = meshes.to_freecad(mesh) if made is None else made
         obj.Placement = placement
@@ -146,7 +147,7 @@ class Solid(DocumentObject):
 
 
 def key_of(source, settings):
-    """What tells the mesh of one source and settings of sources.Source.mesh() from another's."""
+    """Returns a digest that identifies the mesh of a source with settings of sources.Source.mesh()."""
     return hashlib.sha1(repr((source.digest, sorted(settings.items()))).encode()).hexdigest()
 
 
@@ -155,8 +156,8 @@ def is_solid(obj):
 
 
 def source_of(obj, placed=True):
-    """Source of any object that bounds a solid: ours, a mesh, a Part shape or body. `placed`: in the document's
-    coordinates, else in its own. Raises ValueError for other objects."""
+    """Returns the Source of any object that bounds a solid: a Fieldfab solid, a mesh, a Part shape or body. `placed`:
+    in document coordinates, otherwise in its own. Raises ValueError for other objects."""
     source = obj.Proxy.source(obj) if is_solid(obj) else source_of_geometry(obj)
     if not placed:
         return source
@@ -164,7 +165,7 @@ def source_of(obj, placed=True):
 
 
 def csg_of(obj):
-    """A solid as OpenSCAD's text, in the document's coordinates; None where OpenSCAD cannot express it. Raises
+    """Returns a solid as an openscad.Text in document coordinates, or None if OpenSCAD cannot express it. Raises
     ValueError."""
     text = obj.Proxy.csg(obj) if is_solid(obj) else None
     placement = obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement
@@ -172,7 +173,7 @@ def csg_of(obj):
 
 
 def create(kind, document, name=None):
-    """Adds a solid of a class to the document; not yet computed."""
+    """Adds a solid of a class to the document; computes nothing yet."""
     obj = document.addObject("Mesh::FeaturePython", name or kind.NAME)
     kind(obj)
     registry.add_view(obj)

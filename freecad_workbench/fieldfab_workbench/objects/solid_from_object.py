@@ -1,4 +1,4 @@
-"""Meshes, Part shapes and bodies as solids."""
+"""Solids from meshes, Part shapes and bodies."""
 
 from ..geometry import source_of_geometry
 from ..words import tr
@@ -6,7 +6,7 @@ from .solid import Solid, source_of
 
 
 class SolidFromObject(Solid):
-    """A solid where another object's mesh or shape is. Holes and overlaps of a mesh do no harm (docs/contouring.md)."""
+    """The solid bounded by another object's mesh or shape. A mesh may have holes and overlaps (docs/contouring.md)."""
 
     NAME = "SolidFromObject"
 
