@@ -1,8 +1,8 @@
-"""OpenSCAD's text of solids, and the Source that evaluates it. Nothing here looks at a document.
+"""Solids as OpenSCAD text, and the Source that evaluates it. Nothing here accesses a document.
 
-Every object that came out of a design keeps only its own arguments. The object and all below it are put together as
-one .csg text, which the kernel evaluates as a whole. So faces that coincide meet exactly, as they do when a whole file
-is read, and a hull has its children's corners."""
+Each object made from a design stores only its own arguments. An object and its descendants are combined into one .csg
+text, which the kernel evaluates as a whole. So coincident faces meet exactly, as if a whole file were read, and a hull
+has its children's corners."""
 
 import os
 import re
@@ -11,13 +11,13 @@ from . import kernel
 from .sources import Source, kept
 from .words import tr
 
-PLATE = 1.0  # mm that a flat shape is thick where a solid is wanted, as OpenSCAD shows it
+PLATE = 1.0  # mm; thickness of a flat shape as a solid, as in OpenSCAD's preview
 _PLACE = re.compile(r"^design:(\d+)(?::\d+)?: ?")
 _FILE = re.compile(r'(\b(?:import|surface)\s*\([^()"]*?\bfile\s*=\s*)"((?:[^"\\]|\\["\\])*)"')
 
 
 def literal(value):
-    """A value as OpenSCAD writes it."""
+    """Returns a value as an OpenSCAD literal."""
     if value is None:
         return "undef"
     if isinstance(value, bool):
@@ -30,14 +30,13 @@ def literal(value):
 
 
 def matrix_of(placement):
-    """The 16 numbers of a FreeCAD placement, for Text.placed(). The rounding of its quaternion is corrected: after
-    quarter turns faces lie in one plane."""
+    """Returns the 16 numbers of a FreeCAD placement, for Text.placed(). Corrects the rounding of its quaternion, so
+    that faces stay coplanar after quarter turns."""
     return [round(number, 14) + 0.0 for number in placement.toMatrix().A]
 
 
 class Text:
-    """Lines of .csg text, each with the label of the object that it came from, and the paths of the files that the text
-    names."""
+    """Lines of .csg text, each with the label of its object, and the paths of the files that the text names."""
 
     def __init__(self, lines, files=()):
         self.lines, self.files = tuple(lines), tuple(files)
@@ -46,17 +45,17 @@ class Text:
         return "\n".join(line for line, _ in self.lines)
 
     def within(self, head, label):
-        """As the only child of a node."""
+        """Returns the text as the only child of a node."""
         return node(head, label, [self])
 
     def placed(self, matrix, label):
-        """Where a matrix of 16 numbers, row by row, puts it."""
+        """Returns the text within a transform by a matrix of 16 numbers, row by row."""
         return self.within(f"multmatrix({literal([matrix[i:i + 4] for i in (0, 4, 8, 12)])})", label)
 
 
 def node(head, label, children=(), files=()):
-    """The Text of a node with children; `head` is its name and its arguments in brackets."""
-    if "\n" in head:  # words may have several lines, and each has to have its label
+    """Returns the Text of a node with children. `head` is its name with its arguments in parentheses."""
+    if "\n" in head:  # strings may span lines, and each line needs a label
         first = [(line, label) for line in head.split("\n")]
     else:
         first = [(head, label)]
@@ -69,7 +68,7 @@ def node(head, label, children=(), files=()):
 
 
 def whole(text, folder, label):
-    """The Text of a file's own text, which names its files from a folder."""
+    """Returns the Text of a file's contents. Relative file names in it refer to `folder`."""
     found = []
 
     def absolute(match):
@@ -81,7 +80,8 @@ def whole(text, folder, label):
 
 
 def stamp(path, label):
-    """Size and time of last change: another stamp, another content. Raises ValueError where there is no such file."""
+    """Returns a file's size and modification time, which identify its content. Raises ValueError if it does not
+    exist."""
     try:
         seen = os.stat(path)
     except OSError:
@@ -90,7 +90,7 @@ def stamp(path, label):
 
 
 class OpenScadSource(Source):
-    """The solid of a Text. Raises ValueError where a file is missing."""
+    """The solid of a Text. Raises ValueError if a file is missing."""
 
     def __init__(self, text, label):
         self.text, self.label = text, label
@@ -98,7 +98,7 @@ class OpenScadSource(Source):
         super().__init__(("openscad", str(text), stamps), None)
 
     def design(self, progress=None):
-        """The fieldfab.OpenScadDesign. Raises fieldfab.Error, with labels of objects in place of lines."""
+        """Returns the fieldfab.OpenScadDesign. Raises fieldfab.Error, with object labels instead of line numbers."""
         return kept(("design", self.digest), lambda: self._designed(progress))
 
     def _designed(self, progress):
@@ -114,7 +114,7 @@ class OpenScadSource(Source):
         return design
 
     def _said(self, message):
-        """A message with the label of the object that it is about."""
+        """Returns a message with the label of its object instead of the line number."""
         match = _PLACE.match(message)
         line = int(match[1]) if match else 0
         return (f"{self.text.lines[line - 1][1]}: {message[match.end():]}" if 0 < line <= len(self.text.lines)
@@ -124,18 +124,18 @@ class OpenScadSource(Source):
         return self.design(progress).solid
 
     def solid(self, progress=None):
-        """Its Text, of a flat design that of the plate. Raises fieldfab.Error."""
+        """Returns its Text; for a flat design, the Text of the plate. Raises fieldfab.Error."""
         return (self.text.within(f"linear_extrude(height = {literal(PLATE)})", self.label) if self.design(progress).flat
                 else self.text)
 
     def notes(self):
-        """What was left out or mended, one line each."""
+        """Returns notes about omitted or repaired parts, one line each."""
         return [self._said(note) for note in self.design().notes]
 
 
 def faces_together(parts, progress=None):
-    """Mesh of the united faces of solids, [(OpenScadSource, its FreeCAD placement)]; None where the faces cannot be
-    had. Raises fieldfab.Error."""
+    """Returns the mesh of the union of solids, [(OpenScadSource, FreeCAD placement)], from their exact faces. None if
+    the faces are not available. Raises fieldfab.Error."""
     (first, placement), label = parts[0], parts[0][0].label
     if len(parts) == 1 and placement.isIdentity():
         return first.faces(progress)

@@ -1,5 +1,5 @@
-"""Import of OpenSCAD's designs: .csg files, and .scad files through the installed OpenSCAD. Adds one tree of objects in
-one undo step, or nothing at all."""
+"""Import of OpenSCAD designs: .csg files directly, .scad files through the installed OpenSCAD. Adds one tree of objects
+in one undo step, or none."""
 
 import os
 
@@ -11,14 +11,14 @@ from .objects import combine, modify, openscad_node, solid
 from .openscad_tree import MOST_PARTS, Design, Part, TooLarge
 from .words import tr
 
-TINT = (1.0, 0.32, 0.32)  # of what a design highlights (#)
-BACKGROUND, TRANSPARENCY = (0.6, 0.6, 0.65), 70  # of what it only shows (%)
+TINT = (1.0, 0.32, 0.32)  # colour of highlighted parts (#)
+BACKGROUND, TRANSPARENCY = (0.6, 0.6, 0.65), 70  # looks of background parts (%)
 
 
 def insert(filename, docname, name):
-    """Adds a design to the document of that name, or to a new one where there is none. Returns the root object; only
-    the root is visible, and the parts that the design merely shows. Raises ValueError with a line for the user; then
-    the document is unchanged."""
+    """Adds a design to the named document, or to a new one if it does not exist. Returns the root object. Only the root
+    and the design's background parts are visible. Raises ValueError with a line for the user, and then leaves the
+    document unchanged."""
     fieldfab, filename = kernel.load(), os.path.abspath(filename)
     try:
         tree = work.run(lambda progress: fieldfab.read_openscad_tree(filename, progress=progress),
@@ -35,7 +35,7 @@ def insert(filename, docname, name):
 
 
 def _parts(tree, filename):
-    """(the root, what is only shown) of a tree; one part with its text where there would be too many."""
+    """Returns (root, background parts) of a tree. A tree with too many parts becomes one part with its text."""
     folder = os.path.dirname(filename)
     try:
         design = Design(tree, folder)
@@ -51,10 +51,11 @@ def _parts(tree, filename):
 
 
 def _add(document, root, shown, name, made):
-    """Puts all objects into `made`, with the meshes of those that are seen. Raises ValueError and work.Cancelled."""
+    """Creates all objects, and the meshes of the visible ones. Appends the objects to `made`. Raises ValueError and
+    work.Cancelled."""
     top = _create(document, root, made)
     for obj in made:
-        if obj.Label == name:  # labels differ, and the whole has the name of its file
+        if obj.Label == name:  # labels are unique, and the root gets the file's name
             obj.Label = f"{name} 1"
     top.Label = name
     _show(top)
@@ -64,7 +65,7 @@ def _add(document, root, shown, name, made):
 
 
 def _add_shown(document, part, made):
-    """What a design only shows. Where it cannot be made, the design is as good without it."""
+    """Adds a background part. An error is only a warning, since the design does not depend on the part."""
     own = []
     try:
         obj = _create(document, part, own)
@@ -81,7 +82,7 @@ def _add_shown(document, part, made):
 
 
 def _show(obj):
-    """Raises ValueError and work.Cancelled."""
+    """Makes the object's mesh and shows it. Raises ValueError and work.Cancelled."""
     obj.OnlyWhenShown, obj.Visibility = False, True
     obj.Proxy.make_mesh(obj)
     for note in getattr(obj.Proxy.source(obj), "notes", list)():
@@ -89,7 +90,7 @@ def _show(obj):
 
 
 def _create(document, part, made):
-    """The objects of a part, those it is made of first; none of them is seen."""
+    """Creates the hidden objects of a part, children first. Returns the object of the part."""
     children = [_create(document, child, made) for child in part.children]
     kind = {"node": openscad_node.OpenScadNode, "set": combine.Combine, "scaled": modify.Modify,
             "text": openscad_node.OpenScadText}[part.make]

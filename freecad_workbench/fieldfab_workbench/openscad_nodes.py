@@ -1,21 +1,21 @@
-"""OpenSCAD's nodes as properties of FreeCAD's objects, both ways: one table."""
+"""Table for the conversion between OpenSCAD nodes and properties of FreeCAD objects, in both directions."""
 
 import dataclasses
 import math
 
 from .words import described
 
-IGNORED = {"convexity", "timestamp"}  # of OpenSCAD's preview and its cache; nothing of the solid
+IGNORED = {"convexity", "timestamp"}  # for OpenSCAD's preview and cache; without effect on the solid
 
 
 class Unfit(Exception):
-    """A node's arguments are none that properties can hold: infinite numbers, values of other kinds, unknown names."""
+    """A node's arguments cannot be stored in properties: infinite numbers, values of other types, or unknown names."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Argument:
-    """An argument and the properties that hold it, (name, description) each; several properties hold a list. `kind`:
-    type of the properties."""
+    """An argument and its properties, (name, description) each. A list is stored in several properties. `kind`: type of
+    the properties."""
 
     name: str
     kind: str
@@ -23,7 +23,7 @@ class Argument:
     defaults: tuple
 
     def to_properties(self, value):
-        """{property: value} of an argument's value. Raises Unfit."""
+        """Returns {property: value} for an argument's value. Raises Unfit."""
         if value is None:
             values = self.defaults
         elif len(self.properties) == 1:
@@ -36,7 +36,7 @@ class Argument:
         return {name: read(each) for (name, _), each in zip(self.properties, values)}
 
     def value(self, obj):
-        """The argument's value, of an object's properties."""
+        """Returns the argument's value from an object's properties."""
         values = [WRITERS.get(self.kind, lambda held: held)(getattr(obj, name)) for name, _ in self.properties]
         return values[0] if len(values) == 1 else values
 
@@ -67,7 +67,7 @@ def _points(value):
 
 
 def _paths(value):
-    """Lists of places in a list of points, a line each."""
+    """Returns lists of point indices as lines of text, one for each list."""
     if value == ():
         return []
     if not isinstance(value, list) or any(not isinstance(path, list) for path in value):
@@ -76,7 +76,7 @@ def _paths(value):
 
 
 def _paths_of(lines):
-    """Raises ValueError for what is no number."""
+    """Returns the lists of numbers in lines of text, or None without lines. Raises ValueError for invalid numbers."""
     return [[float(word) for word in line.replace(",", " ").split()] for line in lines] or None
 
 
@@ -99,7 +99,7 @@ WRITERS = {"Length": lambda held: held.Value, "Distance": lambda held: held.Valu
 
 @dataclasses.dataclass(frozen=True)
 class Kind:
-    """What OpenSCAD calls a node, its arguments, and whether it has children."""
+    """A kind of node: OpenSCAD's name, its arguments, and whether it has children."""
 
     name: str
     arguments: tuple = ()
@@ -117,7 +117,7 @@ LENGTH, WIDTH = described("Length", "Along x"), described("Width", "Along y")
 RADIUS = Argument("r", "Length", (described("Radius", "Radius of the circle or sphere"),), (1,))
 FILE = Argument("file", "File", (described("File", "The file that is imported"),), ("",))
 
-# By the property Node of the objects.
+# {value of the objects' property Node: Kind}
 KINDS = {
     "cube": Kind("cube", (Argument("size", "Length", (LENGTH, WIDTH, HEIGHT), (1, 1, 1)), CENTRED)),
     "sphere": Kind("sphere", (RADIUS, *FRAGMENTS)),
@@ -192,7 +192,7 @@ KINDS = {
 
 
 def key_of(node):
-    """The key in KINDS of a fieldfab.OpenScadNode. Raises Unfit for a node of no kind."""
+    """Returns the key in KINDS of a fieldfab.OpenScadNode. Raises Unfit for an unknown node."""
     key = "round offset" if node.name == "offset" and "r" in node.arguments else node.name
     if key not in KINDS:
         raise Unfit(key)
@@ -200,7 +200,7 @@ def key_of(node):
 
 
 def properties_of(node):
-    """{property: value} of a fieldfab.OpenScadNode. Raises Unfit."""
+    """Returns {property: value} of a fieldfab.OpenScadNode. Raises Unfit."""
     kind, given = KINDS[key_of(node)], node.arguments
     if set(given) - {argument.name for argument in kind.arguments} - IGNORED:
         raise Unfit(node.name)
@@ -209,7 +209,7 @@ def properties_of(node):
 
 
 def values_of(key, obj):
-    """{argument: value} of an object. Raises ValueError for properties that mean nothing."""
+    """Returns {argument: value} of an object. Raises ValueError for invalid properties."""
     values = {argument.name: argument.value(obj) for argument in KINDS[key].arguments}
     if key == "polygon":
         values["points"] = [point[:2] for point in values["points"]]

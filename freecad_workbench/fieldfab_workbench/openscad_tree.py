@@ -1,5 +1,5 @@
-"""The parts of an OpenSCAD design's tree, each as an object of a document to be. Groups that join nothing are left out;
-colours and moves become those of the parts. Changes no document."""
+"""Conversion of an OpenSCAD design's tree to parts, each of which becomes a document object. Groups with a single child
+are skipped. Colours and transforms move to the parts. Changes no document."""
 
 import dataclasses
 import heapq
@@ -10,10 +10,10 @@ import FreeCAD
 
 from .openscad_nodes import Unfit, key_of, properties_of
 
-# In larger designs whole branches become one object with their text: a larger tree would be slow and no help.
+# In larger designs, branches become single objects with their text: a larger tree would be slow and hard to use.
 MOST_PARTS = 300
-DEEPEST = 100  # parts within parts
-MOST_NODES = 20_000  # of the file, groups and moves among them; a larger one is one object
+DEEPEST = 100  # nesting depth of parts
+MOST_NODES = 20_000  # in the file, including groups and transforms; a larger file becomes one object
 RIGID = 1e-5  # OpenSCAD writes matrices with six digits
 
 SETS = {"group": "Union", "union": "Union", "render": "Union", "color": "Union", "multmatrix": "Union",
@@ -21,24 +21,25 @@ SETS = {"group": "Union", "union": "Union", "render": "Union", "color": "Union",
 
 
 class TooLarge(Exception):
-    """More nodes, or deeper ones, than can be made a tree."""
+    """The tree has too many nodes, or is too deep, for separate objects."""
 
 
 @dataclasses.dataclass
 class Part:
-    """An object to be made: its kind (`make`: node, set, scaled or text), properties, children, placement and looks."""
+    """Description of an object to create: its type (`make`: node, set, scaled or text), properties, children, placement
+    and looks."""
 
     label: str
     make: str
     values: dict
     children: list = dataclasses.field(default_factory=list)
     placement: FreeCAD.Placement = dataclasses.field(default_factory=FreeCAD.Placement)
-    colour: tuple = None  # red, green, blue, and how opaque
+    colour: tuple = None  # red, green, blue and opacity
     highlight: bool = False
-    origin: callable = None  # gives its text, but for where it is
+    origin: callable = None  # function that returns its text without the placement
 
     def walk(self):
-        """It and all that is below it."""
+        """Yields the part and all its descendants."""
         waiting = [self]
         while waiting:
             part = waiting.pop()
@@ -46,13 +47,14 @@ class Part:
             waiting += part.children
 
     def become_text(self, folder):
-        """One part in place of a branch."""
+        """Replaces the branch below the part by its text."""
         self.make, self.values, self.children = "text", {"Text": self.origin(), "Folder": folder}, []
 
 
 class Design:
-    """The parts of a fieldfab.OpenScadTree that was read from a file in `folder`: `root`, None where the design draws
-    nothing, and those that are only shown (%). `branches`: how many branches were too large. Raises TooLarge."""
+    """The parts of a fieldfab.OpenScadTree that was read from a file in `folder`. `root`: the root part, or None for an
+    empty design. `shown`: background parts (%). `branches`: number of branches converted to text because of their size.
+    Raises TooLarge."""
 
     def __init__(self, tree, folder):
         self.folder = folder
@@ -60,15 +62,15 @@ class Design:
             raise TooLarge(len(tree))
         nodes = [tree[i] for i in range(len(tree))]
         start = next((i for i, node in enumerate(nodes) if node.root), 0)
-        made = [None] * len(nodes)  # (the part or None, those that are only shown)
+        made = [None] * len(nodes)  # (the part or None, background parts)
         for i in reversed(range(len(nodes))):  # children come after their parents
             made[i] = self._made(nodes[i], [(nodes[child], *made[child]) for child in nodes[i].children])
         self.root, self.shown = made[start]
         self.branches = self._prune(([self.root] if self.root else []) + self.shown)
 
     def _prune(self, tops):
-        """Leaves MOST_PARTS parts: the largest branches are divided first, and branches that stay undivided become
-        text. Returns how many became text."""
+        """Reduces the parts to MOST_PARTS. Expands the largest branches first; the remaining branches become text.
+        Returns the number of branches converted to text."""
         parts = [part for top in tops for part in top.walk()]
         sizes = {}
         for part in reversed(parts):
@@ -90,7 +92,8 @@ class Design:
         return pruned
 
     def _made(self, node, below):
-        """A node's part, of its children, each with what was made of it."""
+        """Returns a node's part (or None) and its background parts. `below`: (child node, part, background parts) of
+        each child."""
         shown = [part for child, _, others in below if not child.disabled for part in others]
         shown += [part for child, part, _ in below if child.background and not child.disabled and part is not None]
         counted = [part for child, part, _ in below if not child.background and not child.disabled]
@@ -102,7 +105,7 @@ class Design:
                 part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))},
                             children, origin=lambda: _alone(node))
             elif not children or (node.name == "difference" and counted[0] is None):
-                raise Unfit(node.name)  # nothing at all; others may mind that
+                raise Unfit(node.name)  # empty, which may matter to the parent: kept as text
             elif len(children) == 1:
                 part = children[0]
             else:
@@ -122,7 +125,7 @@ class Design:
         return part, shown
 
     def text(self, node, label):
-        """A node and what is below it as one part with its text."""
+        """Returns a node with its descendants as one part with its text."""
         return Part(label, "text", {"Text": _alone(node), "Folder": self.folder})
 
     def _with_paths(self, values):
@@ -130,7 +133,8 @@ class Design:
 
     @staticmethod
     def _moved(part, node):
-        """Where a matrix puts it: by its placement where that can be, else within a part of its own. Raises Unfit."""
+        """Applies a matrix to a part: as its placement if possible, otherwise as a part of its own around it. Raises
+        Unfit."""
         matrix = properties_of(node)["Matrix"]
         columns = [FreeCAD.Vector(matrix.A[i], matrix.A[i + 4], matrix.A[i + 8]) for i in range(3)]
         lengths = [column.Length for column in columns]
@@ -142,8 +146,8 @@ class Design:
         mirrored = columns[0].cross(columns[1]) * columns[2] < 0
         factors = [1.0 if abs(length - 1) <= RIGID else length for length in lengths]
         if mirrored:
-            # Of the axes that could be mirrored, the one that leaves the least to turn: mirror([1, 0, 0]) is -1, 1, 1
-            # and no turn.
+            # Mirrors the axis that leaves the smallest rotation: mirror([1, 0, 0]) gives the factors -1, 1, 1 without
+            # a rotation.
             turned = min(range(3), key=lambda i: columns[i][i] / lengths[i])
             factors[turned] = -factors[turned]
         placement = _placement(columns, factors, (matrix.A14, matrix.A24, 0 if node.dimensions == 2 else matrix.A34))
@@ -156,35 +160,35 @@ class Design:
 
     @staticmethod
     def _paint(part, node):
-        """The outermost colour holds."""
+        """Applies a colour to a part and its descendants. The outermost colour wins."""
         colour = node.arguments.get("") or node.arguments.get("c")
         if not isinstance(colour, list) or len(colour) < 3 or any(not isinstance(share, float) for share in colour):
             return
         shares = tuple(min(max(share, 0.0), 1.0) for share in (*colour, 1.0)[:4])
-        if colour[0] < 0:  # none was given: color() with an opacity only
+        if colour[0] < 0:  # color() without a colour, only with an opacity
             return
         for each in part.walk():
             each.colour = shares
 
 
 def _alone(node):
-    """The text of a node without its own modifiers."""
+    """Returns the text of a node without its own modifiers."""
     return node.text().lstrip("%*!#")
 
 
 def _common(colours):
-    """The colour that all have; None where they differ."""
+    """Returns the colour if all are equal, otherwise None."""
     return colours[0] if all(colour == colours[0] for colour in colours) else None
 
 
 def _in_plane(matrix):
-    """Whether it turns and moves flat shapes only within their plane."""
+    """Returns whether a matrix transforms the plane z = 0 into itself and keeps z."""
     return (matrix.A13, matrix.A23, matrix.A31, matrix.A32, matrix.A33) == (0, 0, 0, 0, 1)
 
 
 def _placement(columns, factors, base):
-    """Rotation and translation of a matrix whose columns, divided by their factors, are at right angles. Rounding to
-    six digits is corrected."""
+    """Returns the rotation and translation of a matrix whose columns, divided by `factors`, are orthonormal. Corrects
+    the rounding to six digits."""
     x = columns[0] / factors[0]
     x.normalize()
     y = columns[1] / factors[1]

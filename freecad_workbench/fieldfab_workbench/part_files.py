@@ -1,4 +1,4 @@
-"""Import of models: formulas and meshes. A model of several parts becomes a group with an object for each part, with
+"""Import of models: formulas and meshes. A model with several parts becomes a group with an object for each part, with
 names and colours."""
 
 import os
@@ -15,9 +15,9 @@ from .words import tr
 
 
 def insert(filename, docname, name):
-    """Adds a model to the document of that name, a new one where there is none. Returns its solid, of several parts
-    their group. A formula of one solid that opens no file comes in with its text; all else follows the file. Raises
-    ValueError with a line for the user, and then all is as it was."""
+    """Adds a model to the named document, or to a new one if it does not exist. Returns its solid, or the group of its
+    parts. A formula with a single solid that opens no other files is imported as text; other objects follow the file.
+    Raises ValueError with a line for the user, and then leaves the document unchanged."""
     fieldfab, filename = kernel.load(), os.path.abspath(filename)
     try:
         title = tr("Reading {name}").format(name=os.path.basename(filename))
@@ -38,7 +38,8 @@ def insert(filename, docname, name):
 
 
 def _own_text(filename, model):
-    """The text of a formula that is one solid and opens no file; else None. Raises OSError, UnicodeError."""
+    """Returns the text of a formula with a single solid that opens no other files, otherwise None. Raises OSError,
+    UnicodeError."""
     if len(model.parts) > 1 or len(model.files) > 1 or model.parts[0][0].kind != "f-rep":
         return None
     if filename.lower().endswith(".vm"):
@@ -47,8 +48,9 @@ def _own_text(filename, model):
 
 
 def add(filename, docname, name, kind, parts):
-    """Adds solids of a class, (name or None, colour or None, {property: value}) each, in one undo step; several in a
-    group of the file's name, which is returned then. Raises ValueError as insert() does."""
+    """Adds solids of a class in one undo step; `parts` has (name or None, colour or None, {property: value}) of each.
+    Several parts go into a group with the given name. Returns the group or the single solid. Raises ValueError as
+    insert() does."""
     with one_step(filename, docname, name) as (document, made):
         group = document.addObject("App::DocumentObjectGroup", "Parts") if len(parts) > 1 else None
         if group is not None:
@@ -67,5 +69,5 @@ def add(filename, docname, name, kind, parts):
             try:
                 obj.Proxy.make_mesh(obj)
             except ValueError:
-                pass  # the recompute that follows marks the object and tells why; other parts need not suffer
+                pass  # the next recompute marks the object with its error; the other parts remain valid
     return group or obj

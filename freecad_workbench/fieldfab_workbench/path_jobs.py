@@ -1,4 +1,5 @@
-"""FreeCAD's own Path jobs and ours: our operations put into a job, and a job's program and set-up for our simulator."""
+"""Conversion between FreeCAD's Path jobs and Fieldfab: operations into a job, and a job's program and set-up for the
+simulator."""
 
 import os
 from dataclasses import dataclass, field
@@ -12,18 +13,18 @@ from .words import tr
 
 SHAPE_FILES = {"flat": "endmill", "ball": "ballend", "bull": "bullnose", "v": "v-bit", "tapered": "ballend",
                "drill": "drill"}
-MACHINES = {"AC": "five_axis_ac", "BC": "five_axis_bc"}  # for programs that turn these axes
+MACHINES = {"AC": "five_axis_ac", "BC": "five_axis_bc"}  # default machine for programs with these rotary axes
 
 NOT_THE_OPERATIONS = ("M6", "M06", "M3", "M03", "M4", "M04", "G43", "G54", "G55", "G56", "G57", "G58", "G59")
 ARC_CENTRES = {"G17": "IJ", "G18": "IK", "G19": "JK"}
 
 
-# Ours into a job of FreeCAD's.
+# From Fieldfab to a Path job.
 
 
 def to_job(program, job=None):
-    """Puts the paths of a machine program with their tools into a Path job. Without a given job it makes a new one,
-    with the set-up's stock. Returns (job, paths); the caller recomputes."""
+    """Adds the paths of a machine program, with their tools, to a Path job. Without a given job it makes a new one with
+    the set-up's stock. Returns (job, paths); the caller recomputes."""
     paths = path_of_program.create_all(program)
     with path_shim.in_one_step():
         job = job or _new_job(program)
@@ -47,14 +48,14 @@ def _new_job(program):
     document, setup = program.Document, program.Setup
     lower, upper = cam_setup.stock_box(setup)
     model = setup.Part
-    # A job's model must have a shape, and meshes have none.
+    # A job's model must have a shape; meshes have none.
     if not getattr(getattr(model, "Shape", None), "Solids", None):
         model = document.addObject("Part::Box", "Block")
         model.Label = f"Block of {setup.Label}"
         model.Length, model.Width, model.Height = (max(size, 0.01) for size in upper - lower)
         model.Placement.Base = lower
         document.recompute([model])
-    FreeCAD.setActiveDocument(document.Name)  # FreeCAD makes its jobs in there
+    FreeCAD.setActiveDocument(document.Name)  # FreeCAD creates jobs in the active document
     job = path_shim.jobs().Create("Job", [model])
     path_shim.show_job(job)
     if FreeCAD.GuiUp:
@@ -72,7 +73,7 @@ def _new_job(program):
 
 
 def _controller(job, tool, section):
-    """The job's tool controller for a tool of ours; made where it has none of that number."""
+    """Returns the job's tool controller with the number of a Fieldfab tool, or makes one."""
     for controller in job.Tools.Group:
         if controller.ToolNumber == tool.Number:
             return controller
@@ -88,7 +89,7 @@ def _controller(job, tool, section):
          "parameter": _known(parameter, tool.Shape), "attribute": {}}, "ToolBit")
     controller = path_shim.controllers().Create(f"TC: {tool.Label}", bit, tool.Number, False)
     controller.SpindleSpeed = section["spindle"]
-    # mm/s. The path has feeds of its own.
+    # mm/s; used only for the controller, since the path contains its own feeds.
     controller.HorizFeed, controller.VertFeed = tool.Feed.Value or 10, tool.Plunge.Value or 3
     if FreeCAD.GuiUp:
         controller.ViewObject.Proxy = bit.ViewObject.Proxy = 0
@@ -98,28 +99,28 @@ def _controller(job, tool, section):
 
 
 def _known(parameter, shape):
-    """What FreeCAD's bit of that shape can be told."""
+    """Returns the parameters that FreeCAD's tool bit of this shape supports."""
     if shape == "drill":
         return {name: value for name, value in parameter.items() if name in ("Diameter", "Length", "TipAngle")}
     return {name: value for name, value in parameter.items() if name != "CuttingEdgeAngle" or shape == "v"}
 
 
-# A job of FreeCAD's for our simulator.
+# From a Path job to Fieldfab's simulator.
 
 
 @dataclass
 class Setup:
-    """What the simulator has to know besides the program (docs/simulation.md), in the document's coordinates."""
+    """Inputs of the simulator besides the program (docs/simulation.md), in document coordinates."""
 
-    machine: str | None  # an id of ours; None: three axes
+    machine: str | None  # a Fieldfab machine id; None: three axes
     lower: tuple  # of the stock's box, mm
     upper: tuple
     tools: list  # {name: value} as in set-up files
-    mesh: object = None  # the stock as a fieldfab.Mesh, where it is no box
+    mesh: object = None  # the stock as a fieldfab.Mesh, if it is not a box
     notes: list = field(default_factory=list)
 
     def write(self, folder, name="setup.toml"):
-        """Writes the set-up file, and the stock's mesh beside it where it has one; returns the file's path."""
+        """Writes the set-up file, and the stock's mesh (if any) into the same folder. Returns the file's path."""
         lines = [f"machine = {toml_value(self.machine)}"] if self.machine else []
         lines += ["", "[stock]"]
         if self.mesh is not None:
@@ -136,9 +137,9 @@ class Setup:
 
 
 def program_of_job(job, machine=None):
-    """Program of a Path job as (G-code text, Setup): its active operations in order, each with its tool, in millimetres
-    and mm/min, in the document's coordinates. `machine`: an id of ours for jobs that turn rotary axes; by default it is
-    found by the axes' letters. Raises ValueError."""
+    """Returns a Path job as (G-code text, Setup): its active operations in order, each with its tool, in mm, mm/min and
+    document coordinates. `machine`: a Fieldfab machine id for jobs with rotary axes; the default is chosen by the axes'
+    letters. Raises ValueError."""
     utilities = path_shim.utilities()
     lines, tools, notes, current, letters = ["G21 G17 G90 G94 G40 G49 G80"], {}, [], None, set()
     for operation in job.Operations.Group:
@@ -183,7 +184,7 @@ def program_of_job(job, machine=None):
 
 
 def _placed(operation):
-    """An operation's path where its placement puts it."""
+    """Returns an operation's path, translated by its placement. Raises ValueError for a rotation."""
     if operation.Placement.isIdentity():
         return operation.Path
     path, way = type(operation.Path)(), operation.Placement
@@ -198,7 +199,8 @@ def _placed(operation):
 
 
 def _line(command, plane):
-    """A command in mm and mm/min; "" for what is ours to say (tools, spindle, fixtures) or says nothing."""
+    """Returns a command as a line in mm and mm/min. Returns "" for commands without effect and for those that the
+    program sets itself (tools, spindle, fixtures)."""
     name, parameters = command.Name, command.Parameters
     if name.startswith("("):
         return f"({_comment(name)})"
@@ -210,7 +212,7 @@ def _line(command, plane):
             if value > 0 and name not in ("G0", "G00"):
                 words.append(f"F{value * 60:.4f}")
         elif letter in "IJK" and letter not in plane:
-            continue  # FreeCAD says K0 in level arcs, which controls do not take
+            continue  # FreeCAD writes K0 in level arcs, which controls reject
         elif letter in ("D", "H", "L", "N", "O", "S", "T"):
             words.append(f"{letter}{value:g}")
         else:
@@ -223,7 +225,7 @@ def _comment(text):
 
 
 def _stock(job):
-    """Lower and upper corner, and a mesh where the stock is no box along the axes."""
+    """Returns the stock's lower and upper corner, and its mesh, or None if the stock is an axis-aligned box."""
     shape = getattr(job.Stock, "Shape", None)
     if shape is None or shape.isNull():
         raise ValueError(tr("{label}: it has no stock").format(label=job.Label))

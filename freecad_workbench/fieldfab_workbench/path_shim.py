@@ -1,5 +1,5 @@
-"""FreeCAD's own milling workbench under one set of names: Path in 0.20 (PathScripts.*), CAM later (Path.Main.*,
-Path.Tool.*). Tried with 0.20.2; the later names follow FreeCAD's sources."""
+"""Uniform names for FreeCAD's own milling workbench: Path in 0.20 (PathScripts.*), CAM in later versions (Path.Main.*,
+Path.Tool.*). Tested with 0.20.2; the later names follow FreeCAD's sources."""
 
 import contextlib
 import importlib
@@ -34,7 +34,8 @@ def bits():
 
 @contextlib.contextmanager
 def in_one_step():
-    """While it lasts, FreeCAD's tool bits are made without undo steps of their own, which they have in its window."""
+    """Context in which FreeCAD's tool bits are made without separate undo steps, which they otherwise get in its
+    window."""
     module = bits()
     before = module.Factory
     if hasattr(module, "ToolBitFactory"):
@@ -46,7 +47,7 @@ def in_one_step():
 
 
 def show_job(job):
-    """Gives a new job FreeCAD's own place in the tree and panel, where there is a window."""
+    """Gives a new job FreeCAD's view provider, if there is a window."""
     if FreeCAD.GuiUp:
         job.ViewObject.Proxy = _first("PathScripts.PathJobGui", "Path.Main.Gui.Job").ViewProvider(job.ViewObject)
         job.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
@@ -58,10 +59,10 @@ def utilities():
 
 
 def post(name):
-    """The post processor's module: export(objects, filename, arguments)."""
+    """Returns the module of a post processor. Its function is export(objects, filename, arguments)."""
     return _first(f"PathScripts.post.{name}_post", f"Path.Post.scripts.{name}_post")
 
 
 def is_job(obj):
-    """Whether a document object is a Path job."""
+    """Returns whether a document object is a Path job."""
     return all(hasattr(obj, name) for name in ("PostProcessor", "Operations", "Stock", "Tools"))

@@ -1,31 +1,32 @@
-"""The views and the panels of the kinds of objects, for the layers below views and panels, which do not import these.
+"""View providers and panels for each kind of object. The lower layers use this registry, since they do not import views
+and panels.
 
-A kind is named by its class. InitGui.py fills the registry at FreeCAD's start; without a window it stays empty.
-It imports nothing itself."""
+A kind is named by its class. InitGui.py fills the registry at FreeCAD's start; without a window it stays empty. This
+module imports nothing."""
 
-_tables = {}  # {name of the table: function that returns it, {name of a class: what belongs to it}}
+_tables = {}  # {table name: function that returns the table, {class name: entry}}
 
 
 def fill(views, panels):
-    """Two functions, called at each question: views() returns {kind: class of its view provider}, panels() returns
-    {kind: function that makes the panel of an object}."""
+    """Sets the functions that return the tables; they are called at each lookup. views() returns {kind: view provider
+    class}, panels() returns {kind: function that makes the panel of an object}."""
     _tables.update(views=views, panels=panels)
 
 
 def add_view(obj):
-    """Gives a new object its view provider; without a window it has none."""
+    """Gives a new object its view provider; without a window, none."""
     if _tables:
         _found("views", obj)(obj.ViewObject)
 
 
 def panel_for(obj):
-    """The panel that edits an object."""
+    """Returns the panel that edits an object."""
     return _found("panels", obj)(obj)
 
 
 def _found(table, obj):
-    """What a table has for the class of an object's proxy, else for the nearest class that this one derives from.
-    Raises KeyError where it has neither."""
+    """Returns a table's entry for the class of an object's proxy, otherwise for its nearest base class. Raises KeyError
+    if there is none."""
     entries = _tables[table]()
     for kind in type(obj.Proxy).__mro__:
         if kind.__name__ in entries:

@@ -1,4 +1,4 @@
-"""CT volumes on disk: the file, how it is read, and its solid at a threshold. Nothing here looks at a document."""
+"""CT volumes in files: how to read a file, and its solid at a threshold. Nothing here accesses a document."""
 
 import dataclasses
 import math
@@ -12,15 +12,15 @@ from .words import marked, tr
 
 SAMPLE_TYPES = (marked("as the file says"), "uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64")
 DENOISING = marked(("none", "median", "gaussian", "anisotropic"))
-FIELDS_KEPT = 2  # each may hold a whole volume in memory
+FIELDS_KEPT = 2  # each may keep a whole volume in memory
 OVERVIEW_SAMPLES = 300_000
-SLAB_SAMPLES = 1 << 17  # of the coarse volume, at a time
+SLAB_SAMPLES = 1 << 17  # samples of the coarse volume that are read at a time
 BYTES_A_TRIANGLE = 120  # with its share of vertices, in the kernel and in FreeCAD
 
 
 @dataclasses.dataclass(frozen=True)
 class ScanFile:
-    """A volume's file or folder of slices, and how to read it. `spacing` in mm; None: as the file says."""
+    """A volume's file or folder of slices, and parameters for reading it. `spacing` in mm; None: as in the file."""
 
     path: str
     dims: tuple = None
@@ -29,8 +29,8 @@ class ScanFile:
     series: str = ""
 
     def stamp(self):
-        """Stamp of a file: its size and time of last change; of a folder, those of all its files. Another content has
-        another stamp. Raises ValueError where there is no such file."""
+        """Returns a text that identifies the content: size and modification time of a file, or of all files in a
+        folder. Raises ValueError if it does not exist."""
         try:
             if os.path.isdir(self.path):
                 with os.scandir(self.path) as entries:
@@ -42,7 +42,7 @@ class ScanFile:
             raise ValueError(tr("the scan {path} is not there").format(path=self.path)) from None
 
     def open(self, progress=None):
-        """The fieldfab.Volume. Those in use are shared. Raises fieldfab.Error."""
+        """Returns the fieldfab.Volume, shared with other users of the same file. Raises fieldfab.Error."""
         key = (self, self.stamp())
         with _lock:
             volume = _open.get(key)
@@ -56,8 +56,9 @@ class ScanFile:
 
 @dataclasses.dataclass(frozen=True)
 class Cut:
-    """The part of a volume that is solid. `threshold`: a density; None: halfway between the two commonest. `crop`:
-    first sample along x, y, z, then last, or None. Islands and holes in mm3: smaller ones are removed; 0 keeps all."""
+    """The solid part of a volume. `threshold`: a density; None: halfway between the two most frequent ones. `crop`:
+    first sample along x, y, z, then last, or None. Islands and holes smaller than these volumes, mm3, are removed; 0
+    keeps all."""
 
     threshold: float = None
     below: bool = False
@@ -71,18 +72,18 @@ class Cut:
         return volume.crop(self.crop[:3], self.crop[3:]) if self.crop else volume
 
     def cleaned(self):
-        """Whether it needs the whole volume in memory."""
+        """Returns whether the whole volume must be in memory."""
         return bool(self.denoise or self.keep_largest or self.smallest_island or self.smallest_hole)
 
     def solid(self, volume, progress=None):
-        """The fieldfab.Field, where the volume's file places it. Raises fieldfab.Error."""
+        """Returns the fieldfab.Field with the placement of the volume's file. Raises fieldfab.Error."""
         return self.cropped(volume).solid(
             self.threshold, below=self.below, denoise=self.denoise, keep_largest=self.keep_largest,
             min_island=self.smallest_island or None, min_hole=self.smallest_hole or None, progress=progress)
 
 
 class ScanSource(Source):
-    """The solid of a scan. Its mesh is not kept: the document has it."""
+    """The solid of a scan. Its mesh is not cached here, since the document stores it."""
 
     def __init__(self, file, cut):
         self.file, self.cut, self.stamp = file, cut, file.stamp()
@@ -107,15 +108,15 @@ class ScanSource(Source):
 
 
 class AsdfSource(ScanSource):
-    """The solid of an .asdf file: it is a distance field as it stands."""
+    """The solid of an .asdf file, which is a distance field already."""
 
     def _made(self, progress):
         return kernel.load().open(self.file.path), None
 
 
 class Overview:
-    """A volume with few enough samples to be shown while the user tries thresholds. `threshold`: the automatic one of
-    these samples. Surfaces are in lattice coordinates: mm from the first sample along the lattice's axes."""
+    """A volume reduced to a few samples, for interactive thresholds. `threshold`: the automatic threshold of these
+    samples. Surfaces are in lattice coordinates: mm from the first sample along the lattice's axes."""
 
     def __init__(self, file, progress=None):
         self.volume = file.open(progress)
@@ -125,8 +126,8 @@ class Overview:
         self._densities = _read(coarse, progress)
         plain = self._plain(self.volume.spacing)
         self.counts, self.edges = plain.histogram()
-        # The kernel takes a level set's own surface, which a plain array has lost. Only level sets have densities on
-        # either side of 0 in .vdb files.
+        # The surface of a level set is at 0, but the plain array is no longer marked as one. In .vdb files, only level
+        # sets have densities on both sides of 0.
         level_set = file.path.lower().endswith(".vdb") and self.edges[0] < 0 < self.edges[-1]
         self.threshold = 0.0 if level_set else plain.threshold("halfway")
 
@@ -134,7 +135,8 @@ class Overview:
         return kernel.load().Volume(self._densities, spacing=[s * 2**self.halvings for s in spacing])
 
     def surface(self, cut, spacing=None, progress=None):
-        """The coarse mesh of a Cut, whose crop counts the whole volume's samples, and the edge of its cells in mm."""
+        """Returns the coarse mesh of a Cut, and the edge length of its cells in mm. The crop counts samples of the
+        whole volume."""
         spacing = spacing or self.volume.spacing
         step, plain = 2**self.halvings, self._plain(spacing)
         cut = dataclasses.replace(cut, threshold=self.threshold if cut.threshold is None else cut.threshold)
@@ -147,7 +149,7 @@ class Overview:
 
 
 def _read(volume, progress):
-    """All densities, some slices at a time, so that it can be cancelled."""
+    """Returns all densities. Reads some slices at a time, so that it can be cancelled."""
     import numpy as np  # not before it is needed: the workbench must load quickly
 
     across, along, deep = volume.size
@@ -161,11 +163,11 @@ def _read(volume, progress):
 
 
 def estimate(samples, cleaned, triangles, finer):
-    """Estimates (bytes of memory, triangles) of a solid by the triangles of its overview, whose cells are `finer` times
-    larger."""
+    """Returns estimates of (bytes of memory, triangles) of a solid from the triangles of its overview, whose cells are
+    `finer` times larger."""
     triangles = round(triangles * finer**2)
     return samples * (14 if cleaned else 4) + triangles * BYTES_A_TRIANGLE, triangles
 
 
 _lock = threading.Lock()
-_open, _fields = weakref.WeakValueDictionary(), []  # volumes in use; (digest, field, what it reads), newest first
+_open, _fields = weakref.WeakValueDictionary(), []  # volumes in use; (digest, field, its volume), newest first

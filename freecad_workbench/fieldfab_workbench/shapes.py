@@ -1,5 +1,5 @@
-"""The gallery's shapes: every function of the library that makes one, and the designs of examples/, each with the text
-that makes it. Needs no window."""
+"""Shapes of the gallery: every library function that makes one, and the designs in examples/, each with its text. Needs
+no window."""
 
 import os
 from dataclasses import dataclass, field
@@ -13,7 +13,7 @@ DESIGNS = marked("Designs")
 
 
 def found(*parts):
-    """A file or folder that lies beside an installed workbench, or in the source tree; None where it is not there."""
+    """Returns a file or folder in an installed workbench or in the source tree, or None if it does not exist."""
     for start in (WORKBENCH, os.path.join(WORKBENCH, "..", "docs"), os.path.join(WORKBENCH, "..")):
         path = os.path.normpath(os.path.join(start, *parts))
         if os.path.exists(path):
@@ -23,9 +23,8 @@ def found(*parts):
 
 @dataclass
 class Shape:
-    """A function of the library as a shape. `values`: {parameter: its text}; a plain number becomes a name of its own
-    in the text of a new solid. `before` and `after`: text that makes a solid of the call, such as `extrude(` and `,
-    1)`."""
+    """A library function as a shape. `values`: {parameter: text}; plain numbers become named parameters in the text of
+    a new solid. `before` and `after`: text that turns the call into a solid, such as `extrude(` and `, 1)`."""
 
     name: str
     group: str
@@ -36,14 +35,14 @@ class Shape:
     defaults: dict = field(default_factory=dict)
     before: str = ""
     after: str = ""
-    text: str = ""  # of a design
+    text: str = ""  # text of a design, otherwise ""
 
     def call(self, values):
-        """The call alone, for a text that has a solid already."""
+        """Returns only the call, for insertion into an existing text."""
         return self.text or f"{self.name}({', '.join(self._argument(name, value) for name, value in values.items())})"
 
     def solid(self, values):
-        """A text of its own: its numbers as lines `name = number`, which become properties."""
+        """Returns a complete text. Its numbers become lines `name = number`, hence properties."""
         if self.text:
             return self.text
         named = {name: self._variable(name) for name, value in values.items()
@@ -67,7 +66,7 @@ def is_number(text):
 
 
 def shapes():
-    """All of them, in the library's order; the designs last."""
+    """Returns all shapes in the library's order, with the designs last."""
     return [_of_function(f) for f in kernel.load().library() if f["example"]] + designs()
 
 
@@ -86,13 +85,14 @@ def designs():
 
 
 def _of_function(function):
-    """Values are those of the example, which the picture shows, and the defaults of what it leaves out."""
+    """Returns the Shape of a function. Its values are those of the example, as in the picture, and defaults for omitted
+    parameters."""
     name, example = function["name"], function["example"]
     start, arguments, end = _call(example, name)
     parameters = [p["name"] for p in function["parameters"]]
     defaults = {p["name"]: f"{p['default']:g}" for p in function["parameters"] if p["default"] is not None}
     given = {**defaults, **dict(zip(parameters, arguments))}
-    # A list has no names, and all before it goes by its place.
+    # A variable number of arguments has no names, so all are positional.
     values = {"…": ", ".join(arguments)} if function["any_number"] else {p: given[p] for p in parameters}
     return Shape(name, function["group"], function["signature"], language.meaning(function["help"]),
                  found("figures", "shapes", f"{name}.png"),
@@ -100,7 +100,7 @@ def _of_function(function):
 
 
 def _call(text, name):
-    """Where the first call of a function begins, its arguments, and where it ends. The text is ASCII."""
+    """Returns the start of the first call of a function, its arguments, and its end. The text is ASCII."""
     tokens = language.tokens(text)
     first = next(i for i, token in enumerate(tokens) if token[3] == name and tokens[i + 1][3] == "(")
     given, depth, begun = [], 0, tokens[first + 1][2]

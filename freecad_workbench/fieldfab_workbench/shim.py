@@ -1,5 +1,5 @@
-"""Differences between FreeCAD 0.20 (PySide2, Path) and 1.x (PySide6, CAM), in one place. Tried with 0.20.2; the rest
-follows FreeCAD's sources."""
+"""Differences between FreeCAD 0.20 (PySide2, Path) and 1.x (PySide6, CAM). Tested with 0.20.2; the rest follows
+FreeCAD's sources."""
 
 try:
     from PySide2 import QtCore, QtGui, QtSvg, QtWidgets
@@ -8,5 +8,5 @@ except ImportError:
 
 
 def flags(value):
-    """Qt flags as the whole number that FreeCAD asks for (they are enum.Flag in Qt 6)."""
+    """Returns Qt flags (enum.Flag in Qt 6) as the integer that FreeCAD expects."""
     return int(getattr(value, "value", value))

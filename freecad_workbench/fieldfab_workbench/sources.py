@@ -1,5 +1,5 @@
-"""Sources of solids: a key that tells one from another, and how to make its Field. Fields and meshes are kept for a
-while, so that a panel, a recompute and the solids built on this one share them."""
+"""Sources of solids: a key that identifies the solid, and a function that makes its Field. Fields and meshes are
+cached, so that panels, recomputes and dependent solids share them."""
 
 import hashlib
 import math
@@ -10,34 +10,34 @@ from collections import OrderedDict
 from . import kernel
 
 KEPT, KEPT_BYTES = 64, 400_000_000
-DISTANCES_BYTES = 17_000_000  # of those on a lattice of 160 places a side
+DISTANCES_BYTES = 17_000_000  # estimate for a lattice of 160 points a side
 
 
 class Source:
-    """Source of a solid. `key`: plain values that say all that the Field depends on. `make(progress)`: makes the Field,
-    on any thread; it must not look at the document."""
+    """Source of a solid. `key`: plain values that determine the Field. `make(progress)`: makes the Field on any thread;
+    it must not access the document."""
 
     def __init__(self, key, make):
         self.digest = hashlib.sha1(repr(key).encode()).hexdigest()
         self._make = make
-        self.faces_took = None  # seconds, where they were made here
+        self.faces_took = None  # seconds to make the faces; None before that
 
     def field(self, progress=None):
-        """The Field. Raises fieldfab.Error."""
+        """Returns the Field. Raises fieldfab.Error."""
         return kept(("field", self.digest), lambda: self._make(progress))
 
     def distances(self, reach, progress=None):
-        """The Field for offsets, shells, blends and morphs that look so many mm beyond the surface. The values of a
-        scan are distances only next to its surface: it gets a Field with distances. Others return the Field itself.
-        Raises fieldfab.Error."""
+        """Returns a Field whose values are distances up to `reach` mm from the surface, for offsets, shells, blends and
+        morphs. A sampled Field, such as a scan's, has distances only near its surface and gets a new Field. Other
+        Fields are returned unchanged. Raises fieldfab.Error."""
         field = self.field(progress)
         if not field.sampled:
             return field
-        enough = 2.0 ** (math.floor(math.log2(reach)) + 1)  # so that moving a slider seldom asks for others
+        enough = 2.0 ** (math.floor(math.log2(reach)) + 1)  # a slider seldom requires new distances
         return kept(("distances", self.digest, enough), lambda: field.distances(enough, progress=progress))
 
     def faces(self, progress=None):
-        """Mesh of the solid's own faces, if it is one of OpenSCAD's and its faces can be had; else None. Raises
+        """Returns the mesh of the solid's exact faces, or None if it has none (only OpenSCAD solids have). Raises
         fieldfab.Error."""
 
         def make():
@@ -49,9 +49,9 @@ class Source:
         return kept(("faces", self.digest), make)
 
     def mesh(self, progress=None, cells=None, **settings):
-        """Mesh of its faces. Without faces, or where bounds are given, a contour with these settings of
-        fieldfab.mesh(). Where no setting gives the size of cells there are `cells` of them along the longest side of
-        the bounds."""
+        """Returns the mesh of the solid's faces. Without faces, or with given bounds, returns a contour with these
+        settings of fieldfab.mesh(). Without a cell size in the settings, the contour has `cells` cells along the
+        longest side of the bounds."""
         faces = None if "bounds" in settings else self.faces(progress)
         if faces is not None:
             return faces
@@ -63,7 +63,7 @@ class Source:
         return kernel.load().mesh(field, progress=progress, exact=False, **with_cell(field, cells=cells, **settings))
 
     def moved(self, placement):
-        """The solid where a FreeCAD placement puts it."""
+        """Returns the Source of the solid transformed by a FreeCAD placement."""
         if placement.isIdentity():
             return self
         axis, angle, base = tuple(placement.Rotation.Axis), placement.Rotation.Angle, tuple(placement.Base)
@@ -72,8 +72,8 @@ class Source:
 
 
 def with_cell(field, cells=None, **settings):
-    """Settings of fieldfab.mesh() and the like, with the edge of the smallest cell where only a number of `cells` is
-    asked for. Raises fieldfab.Error."""
+    """Returns settings of fieldfab.mesh() and similar functions. Without a voxel in them, computes it from the number
+    `cells`. Raises fieldfab.Error."""
     if cells and "voxel" not in settings:
         settings["voxel"] = field.default_voxel(settings.get("bounds"), cells)
     return settings
@@ -96,6 +96,6 @@ def kept(key, make):
 
 
 def _size(key, made):
-    """Bytes of a mesh or of distances; other Fields are taken for small."""
+    """Returns the bytes of a mesh or of distances; 0 for other Fields."""
     return (made.vertices.nbytes + made.triangles.nbytes if hasattr(made, "triangles") else DISTANCES_BYTES
             if key[0] == "distances" else 0)

@@ -1,5 +1,5 @@
-"""FreeCAD's tool bits (.fctb), tool libraries (.fctl), and the tools of its Path jobs, as tools of ours: {name: value}
-as in job files (docs/cam.md)."""
+"""Conversion of FreeCAD's tool bits (.fctb), tool libraries (.fctl) and Path tools to Fieldfab tools: {name: value} as
+in job files (docs/cam.md)."""
 
 import json
 import os
@@ -16,15 +16,15 @@ SHAPES = {
 
 
 def _number(value):
-    """Of "5.0000 mm", "60.0000 °", a quantity or a number: mm, degrees."""
+    """Returns a number in mm or degrees from "5.0000 mm", "60.0000 °", a quantity or a number."""
     if isinstance(value, str):
         return FreeCAD.Units.Quantity(value).Value
     return float(getattr(value, "Value", value))
 
 
 def tool_from(name, shape, parameter):
-    """Makes a tool of a tool bit's name, the stem of its shape's file, and `parameter(name)`, which gives a value or
-    None. Raises ValueError for shapes that are no known cutter."""
+    """Returns a tool from a tool bit's name, the stem of its shape file, and `parameter(name)`, which returns a value
+    or None. Raises ValueError for unknown shapes."""
     known = SHAPES.get(shape.lower().replace(" ", ""))
     if known is None:
         raise ValueError(tr("{name}: Fieldfab does not know the tool shape {shape}").format(name=name, shape=shape))
@@ -45,14 +45,14 @@ def tool_from(name, shape, parameter):
     if known == "tapered":
         tool["corner_radius"] = get("TaperDiameter") / 2
     if known == "drill":
-        tool["flute"] = 0.0  # the whole of it: FreeCAD does not say
+        tool["flute"] = 0.0  # unknown: the whole tool counts as flute
     if not tool["diameter"] > 0:
         raise ValueError(tr("{name}: it has no diameter").format(name=name))
     return {key: value for key, value in tool.items() if value}
 
 
 def read_bit(path):
-    """The tool of a .fctb file. Raises ValueError, OSError."""
+    """Returns the tool in a .fctb file. Raises ValueError, OSError."""
     try:
         with open(path, encoding="utf-8") as file:
             told = json.load(file)
@@ -63,7 +63,8 @@ def read_bit(path):
 
 
 def read_library(path):
-    """The tools of a .fctl file, with their numbers, and what could not be taken, a line each: (tools, notes)."""
+    """Returns (tools, notes) of a .fctl file: the tools with their numbers, and a line for each tool that could not be
+    read."""
     try:
         with open(path, encoding="utf-8") as file:
             listed = [(int(tool["nr"]), tool["path"]) for tool in json.load(file)["tools"]]
@@ -71,7 +72,7 @@ def read_library(path):
         raise ValueError(tr("{path}: this is no tool library ({error})").format(path=path, error=error)) from None
     here, tools, notes = os.path.dirname(path), [], []
     for number, name in listed:
-        # Beside the library, or as FreeCAD lays them out: Tools/Library and Tools/Bit.
+        # In the library's folder, or in FreeCAD's layout: Tools/Library and Tools/Bit.
         found = [p for p in (os.path.join(here, name), os.path.join(here, "..", "Bit", name)) if os.path.exists(p)]
         try:
             if not found:
@@ -83,14 +84,14 @@ def read_library(path):
 
 
 def read(path):
-    """(tools, notes) of either kind of file."""
+    """Returns (tools, notes) of a tool bit or a library."""
     if path.lower().endswith(".fctl"):
         return read_library(path)
     return [read_bit(path)], []
 
 
 def of_object(bit):
-    """The tool of a tool bit in a document, as a Path job's tool controller has it; also of FreeCAD's older tools."""
+    """Returns the tool of a tool bit object, as in a Path job's tool controller. Reads FreeCAD's older tools, too."""
     shape = getattr(bit, "ShapeName", "") or os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
     if not shape:
         shape = {"EndMill": "endmill", "BallEndMill": "ballend", "Drill": "drill", "Engraver": "v-bit",

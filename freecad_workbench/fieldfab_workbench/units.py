@@ -1,6 +1,6 @@
-"""Lengths, speeds, areas and volumes as FreeCAD's unit scheme shows them: in mm or in inches. Stored values, arguments
-and results of functions are in mm, mm/min, mm² and mm³: these names are the `unit` below. Other units are the same in
-every scheme."""
+"""Lengths, speeds, areas and volumes in FreeCAD's unit scheme: in mm or in inches. Stored values, arguments and results
+of functions are in mm, mm/min, mm² and mm³, and these names are the values of `unit`. Other units are the same in every
+scheme."""
 
 import re
 
@@ -9,12 +9,12 @@ import FreeCAD
 from .words import tr
 
 INCH = 25.4  # mm
-SCHEMES_IN_INCHES = (2, 3, 5, 7)  # FreeCAD's numbers: US customary, its decimal form, building and civil engineering
+SCHEMES_IN_INCHES = (2, 3, 5, 7)  # FreeCAD's: US customary, its decimal form, building and civil engineering
 IN_INCHES = {"mm": ("in", INCH), "mm/min": ("in/min", INCH), "mm²": ("in²", INCH**2), "mm³": ("in³", INCH**3),
              "m": ("in", INCH / 1000)}
-QUANTITIES = {"mm": "mm", "mm/min": "mm/min", "mm²": "mm^2", "mm³": "mm^3", "degrees": "deg"}  # as FreeCAD reads them
-KERNELS = {"mm2": "mm²", "mm3": "mm³"}  # units as the kernel spells them
-# In the kernel's texts: numbers with a unit behind the last, and places without one.
+QUANTITIES = {"mm": "mm", "mm/min": "mm/min", "mm²": "mm^2", "mm³": "mm^3", "degrees": "deg"}  # FreeCAD's spelling
+KERNELS = {"mm2": "mm²", "mm3": "mm³"}  # {the kernel's spelling: ours}
+# In the kernel's texts: numbers with a unit after the last one, and points without a unit.
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 LENGTHS = re.compile(
     rf"({NUMBER}(?: (?:x|×) {NUMBER})*) (mm/min|mm[23²³]?|m)(?!\w)|\({NUMBER}, {NUMBER}, {NUMBER}\)|\b[xyz] {NUMBER}")
@@ -25,18 +25,18 @@ def in_inches():
 
 
 def shown_unit(unit):
-    """The unit that users see for one of ours."""
+    """Returns the displayed unit for an internal unit."""
     unit = KERNELS.get(unit, unit)
     return IN_INCHES[unit][0] if unit in IN_INCHES and in_inches() else unit
 
 
 def shown(value, unit="mm"):
-    """A number of ours in the unit that users see."""
+    """Converts an internal value to the displayed unit."""
     return value / _size(unit)
 
 
 def stored(value, unit="mm"):
-    """A number in the unit that users see as one of ours."""
+    """Converts a value in the displayed unit to the internal unit."""
     return round(value * _size(unit), 9)
 
 
@@ -46,23 +46,23 @@ def _size(unit):
 
 
 def told(value, unit="mm", digits=4):
-    """A number of ours for people, with its unit."""
+    """Formats an internal value with its displayed unit."""
     return f"{_digits(shown(value, unit), digits)} {shown_unit(unit)}".strip()
 
 
 def told_all(values, unit="mm", digits=4, between=" x "):
-    """Several, with one unit behind the last."""
+    """Formats several internal values with one unit after the last."""
     return f"{between.join(_digits(shown(value, unit), digits) for value in values)} {shown_unit(unit)}"
 
 
 def _digits(number, digits):
-    """At least so many digits, none for nothing: 24000, 0.3937."""
+    """Formats with the given significant digits, or as an integer if it has more: 24000, 0.3937."""
     return f"{number:.0f}" if abs(number) >= 10**digits else f"{number:.{digits}g}"
 
 
 def read(text, unit="mm"):
-    """Reads what a user typed, as a number in `unit`. Without a unit it counts in the one that users see ("0.2",
-    "1/4"); another may be named ("5 mm", "2 cm/s"). Raises ValueError with a line for the user."""
+    """Parses user input as a number in `unit`. Without a unit, it is in the displayed unit ("0.2", "1/4"); other units
+    may be named ("5 mm", "2 cm/s"). Raises ValueError with a line for the user."""
     name, text = shown_unit(unit), text.strip().replace(",", ".")
     if name and text.endswith(name):
         text = text[: -len(name)].strip()
@@ -77,14 +77,14 @@ def read(text, unit="mm"):
         one = FreeCAD.Units.Quantity(f"1 {QUANTITIES[unit]}")
         if value.Unit != one.Unit:
             raise ValueError
-    except Exception:  # FreeCAD raises several
+    except Exception:  # FreeCAD raises several types
         raise ValueError(tr("must be a number in {unit}").format(unit=name) if name
                          else tr("must be a number")) from None
     return round(value.Value / one.Value, 9)
 
 
 def in_words(text):
-    """One of the kernel's texts, which count in mm, for people."""
+    """Converts the lengths in one of the kernel's texts from mm to the displayed unit."""
     return LENGTHS.sub(_in_inches, text) if in_inches() else text
 
 
@@ -95,7 +95,7 @@ def _in_inches(found):
 
 
 def _number(text, unit):
-    """Of lengths in mm two places more than it had, since an inch is that much longer."""
+    """Converts a number. Lengths and speeds get two more decimals than in mm, since an inch is 25.4 mm."""
     value = shown(float(text), unit)
     if unit not in ("mm", "mm/min") or "e" in text:
         return f"{value:.4g}"

@@ -1,13 +1,13 @@
-"""The ways of a tool as lines for the eye: whole numpy arrays, no loop over moves."""
+"""Tool paths as lines for display. Works on whole numpy arrays, without a loop over moves."""
 
 import numpy as np
 
-CHORD = 0.15  # radians that one chord of an arc turns through
+CHORD = 0.15  # radians; largest angle of an arc's chord
 
 
 def points_of(moves, start=None):
-    """Points of a polyline along (n, 8) moves, with arcs as chords, and for each point whether a rapid leads to it: (m,
-    3) and (m,) arrays. The first point is `start`, or the end of the first move."""
+    """Returns the points of a polyline along (n, 8) moves, with arcs as chords, and whether a rapid leads to each
+    point: (m, 3) and (m,) arrays. The first point is `start`, or the end of the first move."""
     if not len(moves):
         return np.zeros((0, 3)), np.zeros(0, bool)
     to, bulge, rapid = moves[:, :3], moves[:, 4], moves[:, 3] == 0
@@ -29,8 +29,8 @@ def points_of(moves, start=None):
 
 
 def runs(points, rapid, wanted):
-    """Polylines among the points whose steps are rapids (`wanted` True) or cuts: their points one after the other, and
-    the number of points of each."""
+    """Returns the polylines that consist of rapids (`wanted` True) or of cuts: their points, concatenated, and the
+    number of points of each."""
     steps = rapid[1:] == wanted
     if not steps.any():
         return np.zeros((0, 3), "f4"), np.zeros(0, "i4")

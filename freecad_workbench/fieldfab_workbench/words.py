@@ -1,31 +1,33 @@
-"""Texts for users, in their language: every such text goes through `tr`. FreeCAD has the translations
+"""Translation of texts for users: every such text goes through `tr`. FreeCAD loads the translations
 (resources/translations, made by its update.py); without them texts are English. Texts that are compared or stored are
 never translated."""
 
 import FreeCAD
 
 CONTEXT = "Fieldfab"
-PROPERTY = "App::Property"  # where FreeCAD's own property editor looks for names and descriptions of properties
+PROPERTY = "App::Property"  # context in which FreeCAD's property editor translates names and descriptions of properties
 
 
 def tr(text, context=CONTEXT):
-    """A text in the user's language. Numbers and names come in afterwards: tr("{count} tools").format(count=3)."""
+    """Returns a text in the user's language. Numbers and names are inserted afterwards: tr("{count}
+    tools").format(count=3)."""
     return FreeCAD.Qt.translate(context, text)
 
 
 def marked(texts):
     """Returns the texts (one, a tuple, or the keys of a dictionary) unchanged. update.py collects them; tr() translates
-    them where they are shown."""
+    them when they are displayed."""
     return texts
 
 
 def described(name, words, *more):
-    """The name and the description of a property, as they are, for update.py, too."""
+    """Returns the name and the description of a property unchanged. update.py collects them, too."""
     return (name, words, *more)
 
 
 def property_label(name):
-    """Of a property in a form: KeepOriginal is "Keep original". FreeCAD shows, and translates, "Keep Original"."""
+    """Returns the label of a property in a form: KeepOriginal is "Keep original". FreeCAD shows, and translates, "Keep
+    Original"."""
     shown = "".join(f" {c}" if c.isupper() else c for c in name).strip()
     translated = tr(shown, PROPERTY)
     return translated if translated != shown else shown[:1] + shown[1:].lower()

@@ -1,4 +1,4 @@
-"""Long work beside the window: it stays alive, shows how far the work is, and can stop it."""
+"""Long work in the background. The window stays responsive, shows progress, and can cancel the work."""
 
 import threading
 import time
@@ -8,17 +8,17 @@ import FreeCAD
 from .words import tr
 
 SHOW_AFTER = 0.4  # seconds before a dialog appears
-STANDS = 1.0  # seconds without a change after which a bar says no more how far the work is
-STEPS = 1000  # of a bar
+STANDS = 1.0  # seconds without a change until a bar becomes indeterminate
+STEPS = 1000  # range of a progress bar
 
 
 class Cancelled(Exception):
-    """The user stopped the work."""
+    """The user cancelled the work."""
 
 
 class Task(threading.Thread):
-    """Runs `function(progress)` on a thread of its own. `progress(fraction, message)` returns False once the work
-    should stop."""
+    """Runs `function(progress)` on its own thread. `progress(fraction, message)` returns False if the work should
+    stop."""
 
     def __init__(self, function):
         super().__init__(daemon=True)
@@ -28,7 +28,7 @@ class Task(threading.Thread):
     def run(self):
         try:
             self.result = self.function(self.progress)
-        except BaseException as error:  # it is raised again where the result is asked for
+        except BaseException as error:  # outcome() raises it again
             self.error = error
 
     def progress(self, fraction, message):
@@ -39,7 +39,7 @@ class Task(threading.Thread):
         self.cancelled = True
 
     def outcome(self):
-        """The result of a thread that has ended. Raises what the function raised, and Cancelled."""
+        """Returns the result of a finished thread. Raises the function's error, or Cancelled."""
         if self.error is None:
             return self.result
         if self.cancelled and getattr(self.error, "kind", "") in ("cancelled", ""):
@@ -48,8 +48,8 @@ class Task(threading.Thread):
 
 
 class Gauge:
-    """Shows the progress of work on a QProgressBar or QProgressDialog. While the fraction stays the same the bar runs
-    to and fro, since the work goes on."""
+    """Shows progress on a QProgressBar or QProgressDialog. If the fraction stays constant, the bar becomes
+    indeterminate, since the work continues."""
 
     def __init__(self, bar):
         self._bar, self._last, self._since = bar, None, 0.0
@@ -65,19 +65,19 @@ class Gauge:
             self._bar.setValue(round(STEPS * fraction))
 
     def stop(self):
-        """Back to the beginning."""
+        """Resets the bar."""
         self._last = None
         self._bar.setRange(0, STEPS)
         self._bar.setValue(0)
 
 
 def run(function, title):
-    """Returns `function(progress)`. With a window, the window is drawn meanwhile; after a moment a dialog shows
-    progress and offers to cancel (then Cancelled is raised). The calling thread waits either way: nothing else can
-    change the document meanwhile."""
+    """Returns `function(progress)`. With a window, redraws it during the work; after a moment a dialog shows progress
+    and a Cancel button (Cancelled is raised). The calling thread waits in any case, so that nothing else changes the
+    document."""
     if not FreeCAD.GuiUp or threading.current_thread() is not threading.main_thread():
         return function(lambda fraction, message: True)
-    from .shim import QtCore, QtWidgets  # without a window there need be no Qt
+    from .shim import QtCore, QtWidgets  # Qt may be missing without a window
 
     task, began, dialog = Task(function), time.monotonic(), None
     task.start()
@@ -101,8 +101,7 @@ def run(function, title):
         elif dialog is not None:
             gauge.show(task.fraction)
             dialog.setLabelText(f"{title}: {task.message}" if task.message else title)
-        # Input waits until the dialog holds it back: a click must not change the document in the middle of its
-        # recompute.
+        # No user input before the modal dialog blocks it: a click must not change the document during its recompute.
         QtWidgets.QApplication.processEvents(loop.AllEvents if dialog else loop.ExcludeUserInputEvents, 20)
     if dialog is not None:
         dialog.close()

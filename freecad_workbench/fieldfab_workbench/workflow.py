@@ -1,5 +1,5 @@
-"""Settings of the kernel's workflow and machines (Keeter 6.1) as properties of document objects: no form is written by
-hand."""
+"""Settings of the kernel's workflow and machines (Keeter 6.1) as properties of document objects. Forms are generated
+from them."""
 
 import functools
 import math
@@ -8,17 +8,17 @@ import re
 from . import kernel, units
 from .words import marked, tr
 
-FOLLOWS = marked("automatic")  # what stands where a default follows from other things
+FOLLOWS = marked("automatic")  # shown for a default that depends on other values
 
 
 class Setting:
-    """One setting as the kernel declares it: name, help, unit, kind (flag, number, text), default (None: it follows
-    from other values), lower, upper, lower_open, whole, choices, needs, needs_values."""
+    """One setting as declared by the kernel: name, help, unit, kind (flag, number, text), default (None: it depends on
+    other values), lower, upper, lower_open, whole, choices, needs, needs_values."""
 
     def __init__(self, declared):
         self.__dict__.update(declared)
         self.property = _words_joined(self.name)
-        self.unit = {"1/min": "rpm"}.get(self.unit, self.unit)  # as it is shown; numbers are the same
+        self.unit = {"1/min": "rpm"}.get(self.unit, self.unit)  # displayed unit, with the same numbers
         # The property's documentation.
         self.words = f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")
 
@@ -33,11 +33,11 @@ class Setting:
 
     @property
     def factor(self):
-        """Of the property's number (FreeCAD's units) in one of the setting's: it counts speeds in mm/s."""
+        """Factor from the setting's number to the property's: FreeCAD stores speeds in mm/s."""
         return 1 / 60 if self.unit == "mm/min" else 1
 
     def write(self, obj, value):
-        """Gives the property a value of the setting; None for what follows from other things."""
+        """Writes the setting's value to the property. None is for a default that depends on other values."""
         if self.kind == "number":
             value = 0 if value is None else value * self.factor
             value = int(round(value)) if self.whole else float(value)
@@ -55,7 +55,7 @@ class Setting:
         return getattr(value, "Value", value) / self.factor if self.kind == "number" else value
 
     def problem(self, value):
-        """What is wrong with a value, in a few words; "" where nothing is."""
+        """Returns a short message for an invalid value, "" for a valid one."""
         unit = "" if self.unit == "diameters" else self.unit
         if self.kind == "number":
             if not math.isfinite(value):
@@ -72,14 +72,14 @@ class Setting:
         return ""
 
     def matters(self, values):
-        """Whether it means anything beside these values of other settings, {name: value}."""
+        """Returns whether the setting applies, given the values of other settings, {name: value}."""
         if not self.needs or self.needs not in values:
             return True
         value = values[self.needs]
         return value in self.needs_values if self.needs_values else bool(value)
 
     def shown(self, value):
-        """A value with its unit, for people."""
+        """Formats a value with its unit for the user."""
         if value is None:
             return tr(FOLLOWS)
         if self.kind == "flag":
@@ -88,7 +88,7 @@ class Setting:
 
 
 class Stage:
-    """A step of the workflow: name, help, what it takes and makes, and its settings."""
+    """A step of the workflow: name, help, input, output and settings."""
 
     def __init__(self, name, words, settings):
         self.name, self.help, self.settings = name, words, [Setting(s) for s in settings]
@@ -105,7 +105,7 @@ def operation_names():
 
 @functools.lru_cache(maxsize=None)
 def _operations():
-    """{operation: the stages that lead from a solid to its moves}."""
+    """Returns {operation: the stages from a solid to its moves}."""
     cam = kernel.load().cam
     by_name, found = {s["name"]: s for s in cam.stages()}, {}
     for operation in operation_names():
@@ -118,8 +118,8 @@ def _operations():
 
 
 def _share_properties(groups):
-    """Settings of one name share a property, whose documentation then says what it is for each. Settings of another
-    type get a property of their own, named after their group. `groups`: {name: [Setting]}."""
+    """Lets settings with the same name share a property, whose documentation then covers all of them. Settings of
+    another type get a property of their own, named after their group. `groups`: {name: [Setting]}."""
     types, shared = {}, {}
     for name, settings in groups.items():
         for setting in settings:
@@ -138,7 +138,7 @@ def _words_joined(name):
 
 
 def stages_of(operation):
-    """The stages that lead from a solid to the moves of an operation, in order."""
+    """Returns the stages from a solid to the moves of an operation, in order."""
     return _operations()[operation]
 
 
@@ -148,7 +148,7 @@ def settings_of(operation):
 
 @functools.lru_cache(maxsize=None)
 def machines():
-    """{id: name} of all machines that come with Fieldfab."""
+    """Returns {id: name} of all machines that come with Fieldfab."""
     return dict(kernel.load().cam.machines())
 
 
@@ -163,7 +163,7 @@ def _machines_told():
 
 
 def machine(identifier):
-    """A machine as the kernel tells it (fieldfab.cam.machine), its settings as Settings."""
+    """Returns a machine's description (fieldfab.cam.machine), with its settings as Settings."""
     return _machines_told()[identifier]
 
 

@@ -1,1 +1,1 @@
-"""The task panels."""
+"""Task panels."""

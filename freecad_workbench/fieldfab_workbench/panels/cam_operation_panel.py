@@ -1,4 +1,4 @@
-"""The task panel of one operation."""
+"""Task panel of an operation."""
 
 from ..words import tr
 from .edit_panel import EditPanel
@@ -14,4 +14,4 @@ class OperationPanel(EditPanel):
         self.layout.addStretch()
 
     def take_over(self):
-        """Each change is the object's at once."""
+        """Does nothing: each change is written to the object at once."""

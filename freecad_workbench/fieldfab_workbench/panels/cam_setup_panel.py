@@ -1,5 +1,5 @@
-"""The task panel of a CAM set-up: a stack of panels, one for each stage from the part to the machine (Keeter, Fig.
-6-2), and the plan."""
+"""Task panel of a CAM set-up: a stack of boxes, one for each stage from the part to the machine (Keeter, Fig. 6-2), and
+the plan."""
 
 from .. import kernel, units, work, workflow
 from ..objects import cam_job, cam_operation, cam_setup, machine_program
@@ -28,9 +28,9 @@ class SetupPanel(EditPanel):
         self._refresh()
 
     def take_over(self):
-        """Each change is the object's at once."""
+        """Does nothing: each change is written to the object at once."""
 
-    # The stack.
+    # Boxes of the stack.
     def _part(self):
         box = Box(tr("Part"), tip=tr("The part, and the program's zero on it"))
         form = QtWidgets.QFormLayout()
@@ -62,7 +62,7 @@ class SetupPanel(EditPanel):
             widget, write = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
             widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
             for number in [widget, *widget.findChildren(QtWidgets.QAbstractSpinBox)]:
-                for signal in ("valueChanged", "editingFinished"):  # FreeCAD's own box tells Qt of the latter only
+                for signal in ("valueChanged", "editingFinished"):  # FreeCAD's own box emits only the latter as a Qt signal
                     if hasattr(number, signal):
                         getattr(number, signal).connect(lambda *value, write=write: self._written(write))
             if hasattr(widget, "activated"):
@@ -72,8 +72,8 @@ class SetupPanel(EditPanel):
     _write_quantity = PropertyPanel._write_quantity
 
     def changed(self, *_):
-        """Called by the makers of rows. It does nothing here: _written writes the rows, and nothing is planned before
-        the user asks."""
+        """Does nothing. The row makers of PropertyPanel call it, but here _written writes the rows, and planning starts
+        only on request."""
 
     def _tools(self):
         box = Box(tr("Tools"), opened=not self.obj.Tools)
@@ -181,7 +181,7 @@ class SetupPanel(EditPanel):
         self.outcome.setText(units.in_words(text))
         self.outcome.setVisible(bool(text))
 
-    # What the widgets do.
+    # Actions of the widgets.
     def _choice(self, name, then=lambda: None):
         box = QtWidgets.QComboBox()
         offer(box, self.obj.getEnumerationsOfProperty(name), getattr(self.obj, name))
@@ -248,7 +248,7 @@ class SetupPanel(EditPanel):
             self._refresh()
 
     def _refresh(self):
-        """Says on the boxes what they hold, and whether the plan is still that of the set-up."""
+        """Updates the hints of the boxes, and whether the plan is up to date."""
         for place, operation in enumerate(self.obj.Operations):
             if self.list.item(place):
                 self.list.item(place).setText(operation.Label)
@@ -268,12 +268,12 @@ class SetupPanel(EditPanel):
             self.operation_form.refresh()
         self._tell()
 
-    # The plan.
+    # Planning.
     def program(self):
         return next(iter(cam_setup.programs_of(self.obj)), None)
 
     def plan(self):
-        """Starts planning beside the window."""
+        """Starts planning in the background."""
         self.say("", True)
         try:
             self.job = cam_job.Job(self.obj)
@@ -310,7 +310,7 @@ class SetupPanel(EditPanel):
         self._tell()
 
     def _complain(self, error):
-        """Says what is wrong: beside the setting where that is known."""
+        """Shows an error at its setting if known, otherwise below the stack."""
         operation = self.document.getObject(getattr(error, "object", None) or "")
         setting = getattr(error, "setting", "")
         said = False
@@ -325,7 +325,7 @@ class SetupPanel(EditPanel):
         self.say(label + tr("{setting}: see above").format(setting=setting) if said else f"{label}{error}")
 
     def _tell(self):
-        """Time, lengths and notes of the plan."""
+        """Shows time, lengths and notes of the plan."""
         program = self.program()
         if self.task or program is None or not program.MadeFrom:
             if not self.task:
@@ -341,7 +341,7 @@ class SetupPanel(EditPanel):
                  *(f"<span style='color:#8a5a00'>{_escaped(note)}</span>" for note in program.Notes)]
         self._report("<br>".join(lines))
 
-    # What FreeCAD asks of a task panel.
+    # FreeCAD's interface of a task panel.
     def accept(self):
         self.stop()
         return super().accept()

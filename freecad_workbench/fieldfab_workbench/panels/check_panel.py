@@ -1,4 +1,4 @@
-"""The cross-check of a solid against OpenVDB and CGAL: its rows as a table, and the mesh's deviations in colours."""
+"""Cross-check of a solid against OpenVDB and CGAL: a table of results, and the mesh coloured by its deviations."""
 
 import csv
 import io
@@ -24,11 +24,11 @@ HEADINGS = ("", marked("Measured value and its bound"))
 
 
 class CheckPanel:
-    """Checks while it is open, beside the window; changes nothing of the document."""
+    """Panel that runs the check in the background while it is open. It does not change the document."""
 
     def __init__(self, obj):
         self.obj, self.report, self.coloured, self.shown = obj, None, None, None
-        FreeCADGui.Selection.clearSelection()  # its green would cover the colours
+        FreeCADGui.Selection.clearSelection()  # the selection's green would hide the colours
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(tr("Cross-check"))
         self.form.setWindowIcon(QtGui.QIcon(icon("CrossCheck")))
@@ -114,7 +114,7 @@ class CheckPanel:
                     item.setForeground(QtGui.QColor(COLOURS[row.passed]))
                 self.table.setItem(i, column, item)
         self.save.setEnabled(True)
-        QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)  # once the columns have their widths
+        QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)  # after the columns have got their widths
 
     def _show_colours(self, *_):
         if self.shown is not None:
@@ -134,7 +134,7 @@ class CheckPanel:
             self.progress.setFormat(message or "%p %")
 
     def text(self):
-        """The table as comma-separated values."""
+        """Returns the table as comma-separated values."""
         out = io.StringIO()
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(("check", "measured", "bound", "unit", "passed"))
@@ -151,7 +151,7 @@ class CheckPanel:
             except OSError as error:
                 self._failed(error)
 
-    # What FreeCAD asks of a task panel.
+    # FreeCAD's interface of a task panel.
     def getStandardButtons(self):
         return flags(QtWidgets.QDialogButtonBox.Close)
 

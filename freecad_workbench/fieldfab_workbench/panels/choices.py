@@ -1,10 +1,10 @@
-"""Boxes of choices: what is seen is in the user's language, what is kept (currentData, itemData) is not."""
+"""Combo boxes that display values in the user's language and store them untranslated (currentData, itemData)."""
 
 from ..words import tr
 
 
 def offer(box, values, current):
-    """Gives a QComboBox these values and no others, and chooses one of them."""
+    """Replaces the values of a QComboBox and selects the current one."""
     box.clear()
     for value in values:
         box.addItem(tr(value), value)

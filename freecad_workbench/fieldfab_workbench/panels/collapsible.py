@@ -1,10 +1,11 @@
-"""A box of a stack of panels that opens and closes (Keeter, Fig. 6-2)."""
+"""Collapsible box for a stack of panels (Keeter, Fig. 6-2)."""
 
 from ..shim import QtCore, QtWidgets
 
 
 class Box(QtWidgets.QFrame):
-    """A header with a title and, in grey, a hint for while it is closed. Below it is `body`, a vertical layout."""
+    """A header with a title and a grey hint, which is visible while the box is closed. `body` is a vertical layout
+    below the header."""
 
     def __init__(self, title, hint="", opened=True, tip=""):
         super().__init__()

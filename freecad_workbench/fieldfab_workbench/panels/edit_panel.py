@@ -1,4 +1,4 @@
-"""What all panels that edit one object share: one undo step, Apply, OK, and a Cancel that takes everything back."""
+"""Base class of panels that edit one object in one undo step, with Apply, OK, and Cancel, which reverts all changes."""
 
 import FreeCADGui
 
@@ -11,11 +11,11 @@ from ..words import tr
 from .wheel import WheelGuard
 
 COLOURS = {True: "#2c7a3f", False: "#b3261e", DOUBTFUL: "#8a5a00"}
-WIDTH = 420  # pixels of the dock, at least: FreeCAD's own is too narrow for three buttons
+WIDTH = 420  # least width of the dock, pixels: FreeCAD's default is too narrow for three buttons
 
 
 class EditPanel:
-    """A task panel. `form` is the widget; `take_over()` writes what it holds into the object."""
+    """A task panel. `form` is the widget; `take_over()` writes its values to the object."""
 
     def __init__(self, obj, title):
         self.obj, self.document = obj, obj.Document
@@ -38,19 +38,19 @@ class EditPanel:
         self.look_at_making.timeout.connect(self._look_at_making)
         if obj.isValid() and is_uncertain(obj):
             self.say_valid()
-        shown = QtCore.QTimer(self.form)  # goes with the form
+        shown = QtCore.QTimer(self.form)  # deleted with the form
         shown.setSingleShot(True)
         shown.timeout.connect(self.make_room)
         shown.start(0)
 
     def make_room(self):
-        """Widens the dock in which the panel is, where that is narrow."""
+        """Widens the panel's dock if it is narrow."""
         if dock := self.dock():
             if dock.width() < WIDTH:
                 FreeCADGui.getMainWindow().resizeDocks([dock], [WIDTH], QtCore.Qt.Horizontal)
 
     def dock(self):
-        """The dock that shows the panel; None while there is none."""
+        """Returns the dock that shows the panel, or None."""
         return next((dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget)
                      if dock.isVisible() and dock.isAncestorOf(self.form)), None)
 
@@ -62,11 +62,11 @@ class EditPanel:
         self.message.setStyleSheet(f"color: {COLOURS[good]}")
 
     def say_valid(self):
-        """Nothing needs to be said of an object that came out well, except where its mesh may lack parts."""
+        """Clears the message of a valid object, or reports that its mesh may lack parts."""
         self.say(*(with_doubt(tr("Valid"), self.obj.Certainty) if is_uncertain(self.obj) else ("", True)))
 
     def apply(self):
-        """Takes the values over and recomputes; True where the object came out well."""
+        """Writes the values to the object and recomputes it. Returns whether the object is valid."""
         self.take_over()
         self.document.recompute([self.obj])
         if self.obj.isValid():
@@ -75,11 +75,11 @@ class EditPanel:
         self.say(self.obj.getStatusString())
         return False
 
-    # Making a solid's mesh beside the window.
+    # Making a solid's mesh in the background.
     def after_making(self, then):
-        """Takes the values over, makes what the recompute will need, and returns what `then()` does. If that takes
-        longer than a moment it returns False: the window stays responsive, the panel shows progress, and `then` follows
-        once the mesh is there."""
+        """Writes the values to the object, makes the mesh for the recompute in the background, and returns the result
+        of `then()`. If this takes longer than a moment, returns False: the window stays responsive, the panel shows
+        progress, and `then` is called when the mesh is ready."""
         if self.making is not None:
             return False
         try:
@@ -103,7 +103,7 @@ class EditPanel:
     def _go_on(self):
         self.making = None
         result = self.then()
-        self._pause_preview(False)  # of a panel that is open still
+        self._pause_preview(False)  # if the panel is still open
         return result
 
     def _pause_preview(self, on):
@@ -142,7 +142,7 @@ class EditPanel:
         if self.making is not None:
             self.making.cancel()
 
-    # What FreeCAD asks of a task panel.
+    # FreeCAD's interface of a task panel.
     def getStandardButtons(self):
         buttons = QtWidgets.QDialogButtonBox
         return flags(buttons.Ok | buttons.Cancel | buttons.Apply)
@@ -155,7 +155,7 @@ class EditPanel:
         return self.after_making(self.finish)
 
     def finish(self):
-        """Recomputes and closes the panel; False where the object did not come out well."""
+        """Recomputes the object and closes the panel. Returns False and stays open if the object is invalid."""
         if not self.apply():
             return False
         self.document.commitTransaction()
@@ -164,7 +164,7 @@ class EditPanel:
         return True
 
     def reject(self):
-        self.document.abortTransaction()  # first: leaving edit mode would commit what is pending
+        self.document.abortTransaction()  # first: leaving edit mode would commit the transaction
         self.close()
         self.document.recompute()
         return True

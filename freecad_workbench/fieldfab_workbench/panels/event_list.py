@@ -1,11 +1,11 @@
-"""What went wrong in a simulation, by kinds, the worst first."""
+"""List of a simulation's events by kind, the worst first."""
 
 from .. import units
 from ..objects.simulation import event_order
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
 
-# Colour and sign of each kind.
+# {kind: colour and letter}
 LOOKS = {
     "fixture contact": ("#8e1b1b", "F"),
     "holder contact": ("#b3261e", "H"),
@@ -20,7 +20,7 @@ UNITS = {"gouge": "mm", "excess": "mm", "over-travel": ""}
 
 
 EVENT = QtCore.Qt.UserRole
-OPENED = 20  # events of a kind that are seen at once
+OPENED = 20  # kinds with at most this many events are expanded
 
 
 def amount_of(event):
@@ -28,18 +28,19 @@ def amount_of(event):
 
 
 def lines_of(event):
-    """The line of an event, or the first and the last one of what was joined along a pass; "" for one of no line."""
+    """Returns the line of an event, or the first and the last line of events joined along a pass. "" for an event
+    without a line."""
     first, last = event.get("first_line", event["line"]), event.get("last_line", event["line"])
     return f"{first}\N{EN DASH}{last}" if first < last else str(event["line"] or "")
 
 
-# What each column is sorted by; the worst is first.
+# Sort key of each column; the worst event is first.
 KEYS = (event_order, lambda event: (event.get("first_line", event["line"]), event["line"]),
         lambda event: -abs(event["amount"]))
 
 
 def sign(kind):
-    """A disc with a letter, by the kind of event."""
+    """Returns the icon for a kind of event: a disc with a letter."""
     colour, letter = LOOKS.get(kind, ("#5b6472", "?"))
     picture = QtGui.QPixmap(18, 18)
     picture.fill(QtCore.Qt.transparent)
@@ -59,9 +60,9 @@ def sign(kind):
 
 
 class EventList(QtWidgets.QTreeWidget):
-    """A row for each kind of event, with its events below it; a kind with one event shows that event alone. A click on
-    a column's head sorts by it, a second click reverses the order. `chosen` tells the event (a table of the report)
-    that was clicked; a kind stands for its worst event."""
+    """A tree with a row for each kind of event and the events as its children. A kind with a single event shows it
+    directly. A click on a column header sorts by that column; a second click reverses the order. `chosen` emits the
+    clicked event (a table of the report); a kind stands for its worst event."""
 
     chosen = QtCore.Signal(dict)
 
@@ -80,7 +81,7 @@ class EventList(QtWidgets.QTreeWidget):
         head.setSortIndicator(0, QtCore.Qt.AscendingOrder)
         head.sortIndicatorChanged.connect(lambda column, order: self._fill())
         self.events = []
-        # Clicks, and the arrow keys.
+        # For clicks and arrow keys.
         self.itemClicked.connect(lambda item, column: self._tell(item))
         self.itemActivated.connect(lambda item, column: self._tell(item))
 
@@ -123,4 +124,4 @@ class EventList(QtWidgets.QTreeWidget):
             self.chosen.emit(event)
 
     def sizeHint(self):
-        return QtCore.QSize(300, 90)  # more where there is room
+        return QtCore.QSize(300, 90)  # grows with the available room

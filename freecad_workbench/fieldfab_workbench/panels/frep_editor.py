@@ -1,4 +1,4 @@
-"""The editor of .frep text: colours, completion, meanings of names, line numbers, and all mistakes at their places."""
+"""Editor for .frep text with syntax colours, completion, help on names, line numbers and underlined mistakes."""
 
 from html import escape
 
@@ -11,11 +11,11 @@ COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "func
            "variable": "#a0341f",
            "parameter": "#00695c", "option": "#00695c", "colour": "#8a5a00"}
 MISTAKE = QtGui.QColor("#c62828")
-INSERTED = QtCore.Qt.UserRole + 1  # the text that a completion inserts
+INSERTED = QtCore.Qt.UserRole + 1  # item role: the text that a completion inserts
 
 
 class Highlighter(QtGui.QSyntaxHighlighter):
-    """Colours of the words of a text. `kinds`: {name: kind}; None without a kernel, for no colours."""
+    """Syntax colours. `kinds`: {name: kind}, or None (without a kernel) for no colours."""
 
     def __init__(self, document):
         super().__init__(document)
@@ -34,7 +34,7 @@ class Highlighter(QtGui.QSyntaxHighlighter):
 
 
 class LineNumbers(QtWidgets.QWidget):
-    """The strip left of the text."""
+    """The line number area to the left of the text."""
 
     def __init__(self, editor):
         super().__init__(editor)
@@ -45,8 +45,8 @@ class LineNumbers(QtWidgets.QWidget):
 
 
 class FrepEditor(QtWidgets.QPlainTextEdit):
-    """`checked(node_count, message)` is emitted after each check; the message is empty where the text is valid. Without
-    a kernel the message is the reason, and the editor offers no help with the text."""
+    """Emits `checked(node_count, message)` after each check; the message is empty for a valid text. Without a kernel
+    the message is the reason, and the editor has no colours, completion or help."""
 
     checked = QtCore.Signal(int, str)
 
@@ -70,12 +70,12 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         self.setPlainText(text)
         self.check()
 
-    # Mistakes and colours.
+    # Check and colours.
     def _changed(self):
         self._timer.start()
 
     def check(self):
-        """Reads the text; marks its mistakes."""
+        """Parses the text and marks its mistakes."""
         text, count = self.toPlainText(), 0
         try:
             self.mistakes, self.message = language.mistakes(text), ""
@@ -93,12 +93,12 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
     def _colour(self, kinds):
         if kinds != self.highlighter.kinds:
             self.highlighter.kinds = kinds
-            self.blockSignals(True)  # colours are no change of the text
+            self.blockSignals(True)  # a change of colours is not a change of the text
             self.highlighter.rehighlight()
             self.blockSignals(False)
 
     def _mark(self):
-        """Underlines each mistake, or the character before it where something is missing."""
+        """Underlines each mistake. If a token is missing, underlines the preceding character."""
         marks = []
         for mistake in self.mistakes:
             wave = QtWidgets.QTextEdit.ExtraSelection()
@@ -129,7 +129,8 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         return popup
 
     def complete(self, asked=False):
-        """Shows the names that fit before the cursor; asked for, also where none begins yet."""
+        """Shows completions for the name before the cursor. `asked`: on request, even without a name before the
+        cursor."""
         text, at = self.toPlainText(), self.textCursor().position()
         try:
             self.completed_from, entries = language.completions(text, at)
@@ -158,7 +159,8 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         self.popup.popup().setCurrentIndex(self.popup.completionModel().index(0, 0))
 
     def _insert_completion(self, index):
-        """Puts the chosen name where its beginning stands; the cursor goes between the parentheses of a function."""
+        """Replaces the beginning of the name by the chosen completion. For a function, places the cursor between the
+        parentheses."""
         inserted, cursor = index.data(INSERTED), self.textCursor()
         cursor.setPosition(self.completed_from, QtGui.QTextCursor.KeepAnchor)
         cursor.insertText(inserted)
@@ -167,15 +169,15 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         self.setTextCursor(cursor)
 
     def insert(self, text):
-        """Puts text where the cursor is."""
+        """Inserts text at the cursor."""
         self.textCursor().insertText(text)
         self.setFocus()
 
-    # Qt.
+    # Overrides of Qt methods.
     def keyPressEvent(self, event):
         keys, shown = QtCore.Qt, self.popup.popup().isVisible()
         if shown and event.key() in (keys.Key_Enter, keys.Key_Return, keys.Key_Tab, keys.Key_Escape, keys.Key_Backtab):
-            event.ignore()  # the popup's
+            event.ignore()  # handled by the popup
             return
         if event.key() == keys.Key_Space and event.modifiers() & keys.ControlModifier:
             self.complete(asked=True)
@@ -195,7 +197,7 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         return super().event(event)
 
     def help_at(self, cursor):
-        """The mistake at a cursor, or the meaning of its word, or the mistakes of its line."""
+        """Returns the mistake at a cursor, otherwise the help on its word, otherwise the mistakes of its line."""
         at, line = cursor.position(), cursor.blockNumber()
         here = [m.message for m in self.mistakes if m.start <= at < m.end]
         try:

@@ -1,4 +1,4 @@
-"""The task panel of an f-rep solid: its text, its numbers, its resolution, and what it will look like."""
+"""Task panel of an f-rep solid: its text, parameters, resolution and preview."""
 
 from .. import kernel, preferences, units
 from ..certainty import is_uncertain, with_doubt
@@ -28,7 +28,7 @@ class FrepPanel(EditPanel):
         self.sliders = QtWidgets.QFormLayout()
         self.layout.addLayout(self.sliders)
         self.layout.addLayout(self._resolution())
-        self.rows, self.numbers = {}, {}  # of each name: its row, and the text's parameter
+        self.rows, self.numbers = {}, {}  # {name: ParameterRow}, {name: parameter of the text}
         self.preview = Preview(obj, self._told, self.form)
         self.text.checked.connect(self._checked)
         self.text.check()
@@ -45,7 +45,7 @@ class FrepPanel(EditPanel):
         self.gallery.inserted.connect(self.text.insert)
         self.gallery.show()
 
-    # Numbers.
+    # Resolution and parameters.
     def _resolution(self):
         numbers = QtWidgets.QFormLayout()
         self.voxel = self._length(self.obj.VoxelSize.Value, self._default_cell())
@@ -58,7 +58,8 @@ class FrepPanel(EditPanel):
 
     @staticmethod
     def _default_cell():
-        """In words; the kernel, which may be missing, has the number where the preferences have none."""
+        """Returns the default cell size as text. Without a preference the number comes from the kernel, which may be
+        missing."""
         try:
             cells = preferences.cells() or round(kernel.load().default_cells)
         except ImportError:
@@ -72,8 +73,8 @@ class FrepPanel(EditPanel):
         return box
 
     def _follow_text(self):
-        """Adds a row for each number that the text names. A number that has changed in the text is taken over, as the
-        object will do."""
+        """Updates the rows to the parameters of the text. If a number has changed in the text, its row takes it, as the
+        object will."""
         wanted = parameters(self.text.toPlainText())
         if [(n, p.range) for n, p in wanted.items()] != [(n, p.range) for n, p in self.numbers.items()]:
             kept = {name: row.value() for name, row in self.rows.items()}
@@ -86,7 +87,7 @@ class FrepPanel(EditPanel):
         self.numbers = wanted
 
     def _held(self, parameter):
-        """The object's number for a parameter, where its text has the same."""
+        """Returns the object's value of a parameter if its text has the same number, otherwise the text's number."""
         before = parameters(self.obj.FollowedText).get(parameter.name)
         same = before is not None and before.value == parameter.value
         return getattr(self.obj, property_name(parameter.name), parameter.value) if same else parameter.value
@@ -104,12 +105,12 @@ class FrepPanel(EditPanel):
         return row
 
     def _drive(self, name):
-        """Writes a number into its property, where that is there already, and shows what it makes."""
+        """Writes a value to its property, if this exists already, and updates the preview."""
         if self.obj.FollowedText == self.text.toPlainText():
             setattr(self.obj, property_name(name), self.rows[name].value())
         self._show()
 
-    # What it will look like.
+    # Preview.
     def _checked(self, count, mistake):
         if mistake:
             self.say(mistake)
@@ -120,7 +121,7 @@ class FrepPanel(EditPanel):
         self._show()
 
     def _show(self):
-        """Shows the text with its numbers, where it is in order."""
+        """Previews the text with its parameter values, if it is valid."""
         if self.text.message:
             return
         source, settings = self._source(), self.obj.Proxy.mesh_settings(self.obj)

@@ -1,5 +1,5 @@
-"""The shape gallery: pictures of all shapes of the library and of the designs. It is searched by words; a chosen shape
-is put into a text with its parameters."""
+"""Shape gallery: pictures of the library's shapes and of the designs, searchable by words. A chosen shape is inserted
+into a text with its parameters."""
 
 from .. import shapes
 from ..shim import QtCore, QtGui, QtWidgets
@@ -12,7 +12,7 @@ SHAPE = QtCore.Qt.UserRole
 
 
 class Gallery(QtWidgets.QDialog):
-    """`inserted(text)` is emitted with what to insert: a call, or with `whole` the text of a solid of its own."""
+    """Emits `inserted(text)` with the text to insert: a call, or with `whole` a complete text for a new solid."""
 
     inserted = QtCore.Signal(str)
 
@@ -62,7 +62,7 @@ class Gallery(QtWidgets.QDialog):
         return column
 
     def _fill(self):
-        """The shapes of the group that have all the words; a search looks in all groups."""
+        """Shows the shapes of the group that match all words. A search covers all groups."""
         words, group = self.search.text().lower().split(), self.groups.currentItem().data(SHAPE)
         self.pictures.clear()
         for shape in self.shapes:
@@ -76,7 +76,7 @@ class Gallery(QtWidgets.QDialog):
             self.pictures.setCurrentRow(0)
 
     def _icon(self, shape):
-        """All of one size, so that the names below have the same room."""
+        """Returns the shape's picture, scaled to a common size so that the names align."""
         if shape.name not in self.icons:
             canvas = QtGui.QPixmap(THUMBNAIL)
             canvas.fill(QtCore.Qt.transparent)
@@ -90,7 +90,7 @@ class Gallery(QtWidgets.QDialog):
             self.icons[shape.name] = QtGui.QIcon(canvas)
         return self.icons[shape.name]
 
-    # Right: the chosen one.
+    # Right: the chosen shape.
     def _details(self):
         side = QtWidgets.QWidget()
         side.setFixedWidth(270)

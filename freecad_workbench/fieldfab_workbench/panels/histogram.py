@@ -1,4 +1,4 @@
-"""A histogram of densities with a threshold that can be dragged."""
+"""Histogram of densities with a draggable threshold."""
 
 import numpy as np
 
@@ -9,8 +9,8 @@ MARGIN = 8
 
 
 class Histogram(QtWidgets.QWidget):
-    """Counts on a logarithmic scale: blue where the volume is solid, else grey. `dragged` tells the density under the
-    mouse."""
+    """Counts on a logarithmic scale: blue where the volume is solid, otherwise grey. `dragged` emits the density under
+    the mouse."""
 
     dragged = QtCore.Signal(float)
 
@@ -23,7 +23,7 @@ class Histogram(QtWidgets.QWidget):
         self.counts, self.edges, self.threshold, self.below, self.enabled = [], [0.0, 1.0], 0.5, False, False
 
     def set_densities(self, counts, edges):
-        """Counts, and the edges of their bins: one more."""
+        """Sets the counts of n bins, and their n + 1 edges."""
         self.counts, self.edges, self.enabled = np.asarray(counts), edges, True
         self.update()
 
@@ -35,7 +35,7 @@ class Histogram(QtWidgets.QWidget):
         return QtCore.QRectF(self.rect()).adjusted(MARGIN, 4, -MARGIN, -16)
 
     def place_of(self, density):
-        """Its x in the widget."""
+        """Returns the x coordinate of a density in the widget."""
         low, high = self.edges[0], self.edges[-1]
         return self._area().left() + (density - low) / (high - low) * self._area().width()
 
@@ -45,7 +45,7 @@ class Histogram(QtWidgets.QWidget):
         return low + min(max(share, 0.0), 1.0) * (high - low)
 
     def columns(self):
-        """The height of each pixel column, 0 to 1."""
+        """Returns the height of each pixel column, 0 to 1."""
         width = max(1, int(self._area().width()))
         if not len(self.counts):
             return np.zeros(width)

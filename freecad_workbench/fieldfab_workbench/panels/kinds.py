@@ -1,4 +1,4 @@
-"""The panel of each kind of object."""
+"""Panels by the kind of object."""
 
 from ..objects.cam_setup import setup_of
 from .cam_operation_panel import OperationPanel
@@ -10,7 +10,8 @@ from .simulation_panel import SimulationPanel
 
 
 def _of_part_of_setup(obj, setup):
-    """A set-up's panel edits its tools and programs, too; one without a set-up has its properties only."""
+    """Returns the panel of the set-up, which also edits its tools and programs, or a property panel for an object
+    without a set-up."""
     return PropertyPanel(obj) if setup is None else SetupPanel(setup)
 
 

@@ -1,18 +1,18 @@
-"""Inputs for lengths, speeds and volumes in the user's unit scheme. What they hold is in mm, mm/min and mm³."""
+"""Inputs for lengths, speeds and volumes in the user's unit scheme. Their values are in mm, mm/min and mm³."""
 
 import FreeCADGui
 
 from .. import units
 from ..shim import QtGui, QtWidgets
 
-PLACES = {"mm": 4, "mm/min": 1, "mm³": 2}  # behind the point
-MORE_PLACES = {"mm": 1, "mm/min": 1, "mm³": 5}  # in inches
-STEP = 1.27  # mm for each mm of a step, in inches: 1 mm becomes 0.05 in
+PLACES = {"mm": 4, "mm/min": 1, "mm³": 2}  # decimals
+MORE_PLACES = {"mm": 1, "mm/min": 1, "mm³": 5}  # additional decimals in inches
+STEP = 1.27  # factor of steps in inches: a step of 1 mm becomes 1.27 mm = 0.05 in
 
 
 class MeasureBox(QtWidgets.QDoubleSpinBox):
-    """A number with its unit. value(), setValue() and the limits count in `unit`, one of those above; the user may type
-    other units (units.read). `zero`: the words shown for the least value."""
+    """A number with its unit. value(), setValue() and the limits are in `unit`, a key of PLACES. The user may enter
+    other units (units.read). `zero`: text displayed for the minimum."""
 
     def __init__(self, value=0.0, unit="mm", low=0.0, high=1e6, zero="", step=1.0):
         super().__init__()
@@ -26,7 +26,7 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
             self.setSpecialValueText(zero)
         self.setValue(value)
 
-    # What Qt asks of a spin box.
+    # Overrides of Qt methods.
     def textFromValue(self, value):
         number = f"{units.shown(value, self.unit):.{self._places}f}"
         return (number.rstrip("0").rstrip(".") if "." in number else number).replace(".", self.locale().decimalPoint())
@@ -45,8 +45,8 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
 
 
 def quantity_box(obj, name):
-    """FreeCAD's own box for a property, which takes expressions. With US customary units it shows thousandths and feet,
-    too."""
+    """Returns FreeCAD's own input for a property, which accepts expressions. In US customary units it also shows
+    thousandths and feet."""
     box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     if units.in_inches():
         box.setProperty("decimals", 4)
@@ -57,7 +57,7 @@ def quantity_box(obj, name):
 
 
 def place_boxes(values, low=-1e6):
-    """A box for each coordinate of a place, narrow enough for three side by side."""
+    """Returns a box for each coordinate of a point, narrow enough for three in a row."""
     boxes = []
     for value in values:
         box = MeasureBox(value, low=low)

@@ -1,4 +1,4 @@
-"""The stages of one operation as stacked boxes."""
+"""Form of an operation: its stages as stacked boxes."""
 
 from .. import workflow
 from ..objects import cam_setup
@@ -7,12 +7,12 @@ from ..words import PROPERTY, tr
 from .collapsible import Box
 from .setting_rows import SettingRows
 
-OPENED = (workflow.JOINING,)  # besides the operation's own
+OPENED = (workflow.JOINING,)  # stages open at first, in addition to the operation's own
 
 
 class OperationForm(QtWidgets.QWidget):
-    """Name, type and tool of an operation, and a box for each stage that leads to its moves (`boxes` and `rows`, by the
-    stages' names)."""
+    """Name, type and tool of an operation, and a box for each stage that leads to its moves. `boxes` and `rows`: by the
+    stages' names."""
 
     def __init__(self, obj, changed=lambda: None):
         super().__init__()
@@ -65,7 +65,7 @@ class OperationForm(QtWidgets.QWidget):
             self.boxes[name].hint.setText(tr("{given} given").format(given=given) if given else tr("defaults"))
 
     def say(self, setting, words):
-        """Says beside a setting what is wrong with it; False where there is no such setting."""
+        """Shows an error at a setting. Returns False if there is no such setting."""
         for name, rows in self.rows.items():
             if setting in rows.rows:
                 self.boxes[name].open()

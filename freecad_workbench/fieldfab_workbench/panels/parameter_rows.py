@@ -1,15 +1,15 @@
-"""Rows for the numbers of a text: a box and a slider each."""
+"""Rows for the parameters of a text, each with a box and a slider."""
 
 import math
 
 from ..shim import QtCore, QtWidgets
 
-STEPS = 1000  # of a slider
+STEPS = 1000  # positions of a slider
 
 
 def sensible_range(value):
-    """Range of a slider: from 0 to about twice the value, in round numbers; to both sides where the value is below
-    0."""
+    """Returns the range of a slider in round numbers: from 0 to about twice the value, or symmetric if the value is
+    negative."""
     size = abs(value) or 1.0
     unit = 10 ** math.floor(math.log10(size))
     end = unit * next(n for n in (2, 5, 10, 20) if n * unit >= 1.9 * size)
@@ -17,7 +17,8 @@ def sensible_range(value):
 
 
 class ParameterRow(QtWidgets.QWidget):
-    """A number by box and slider. The slider's range grows with what is typed, and where it is let go at its end."""
+    """A number with a box and a slider. The slider's range grows to include entered values, and when the slider is
+    released at its end."""
 
     changed = QtCore.Signal(float)
 
@@ -45,7 +46,7 @@ class ParameterRow(QtWidgets.QWidget):
         return self.box.value()
 
     def set(self, value):
-        """Shows another value without telling of a change."""
+        """Shows a value without emitting `changed`."""
         for widget in (self.box, self.slider):
             widget.blockSignals(True)
         self.box.setValue(value)
@@ -66,7 +67,7 @@ class ParameterRow(QtWidgets.QWidget):
         self.changed.emit(value)
 
     def _slid(self, step):
-        """The value there, in as few digits as tell one step of the slider from the next."""
+        """Sets the value of a slider position, with the fewest digits that distinguish adjacent positions."""
         span = self.high - self.low
         digits = max(0, 2 - math.floor(math.log10(span)))
         self.box.blockSignals(True)

@@ -1,4 +1,4 @@
-"""Playback of a simulation in the 3D view: stock, tool and axes at any moment, the program's lines, and the events."""
+"""Playback of a simulation in the 3D view: stock, tool and axes at any time, the program's lines, and the events."""
 
 import math
 import time
@@ -17,26 +17,26 @@ from .event_list import EventList
 from .program_view import ProgramView
 
 TICK = 20  # ms
-STEPS = 100000  # of the slider
+STEPS = 100000  # positions of the slider
 SPEEDS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
-ABOUT = 40  # seconds that a program lasts at the speed that is chosen at first
+ABOUT = 40  # approximate duration of a program at the initial speed, seconds
 
 
 def clock(seconds):
-    """Minutes and seconds: 1:02.3"""
+    """Formats seconds as minutes and seconds: 1:02.3"""
     return f"{int(seconds // 60)}:{seconds % 60:04.1f}"
 
 
 def _is_in_the_way(obj):
-    """Whether it is a solid, a path or a machine program: the stock would be in the same place."""
+    """Returns whether it is a solid, a path or a machine program, which would overlap with the stock."""
     kind = getattr(getattr(obj, "Proxy", None), "NAME", "")
     return (kind == "MachineProgram" or any(hasattr(obj, name) for name in ("Mesh", "Shape", "Path"))
             and hasattr(obj.ViewObject, "Visibility"))
 
 
 class Playback(QtWidgets.QWidget):
-    """The controls of the playback. `show(run, events)` begins, `end()` removes everything from the 3D view. `said`
-    emits a line for the user, and whether it is good news."""
+    """Controls of the playback. `show(run, events)` starts it, `end()` removes everything from the 3D view. `said`
+    emits a line for the user, and whether it is a success."""
 
     said = QtCore.Signal(str, bool)
 
@@ -145,8 +145,8 @@ class Playback(QtWidgets.QWidget):
 
     # Beginning and ending.
     def show(self, run, events, parts=()):
-        """Plays an objects.simulation.Run from now on, its end first. `parts`: the objects that should come out. Other
-        visible objects that lie where the stock is are hidden meanwhile."""
+        """Starts the playback of an objects.simulation.Run at its end. `parts`: the target objects. Hides other visible
+        objects that overlap with the stock until end()."""
         self.end()
         self.parts, self._hidden = (
             list(parts), [obj for obj in self.document.Objects if _is_in_the_way(obj) and obj.ViewObject.Visibility])
@@ -155,7 +155,7 @@ class Playback(QtWidgets.QWidget):
             obj.ViewObject.Visibility = False
         self.see_part.setEnabled(bool(self.parts))
         self.player, self.scene, self.view = Player(run), StockScene(), PartView(self.document)
-        self.destroyed.connect(self.player.close)  # as when the document is closed
+        self.destroyed.connect(self.player.close)  # e.g. if the document is closed
         self._tool_shown = self._moment = self._asked_line = None
         self._fitted = seen
         self.view.add(self.scene.root)
@@ -216,7 +216,7 @@ class Playback(QtWidgets.QWidget):
             label.setToolTip(tr("Position of axis {letter}, {unit}").format(letter=letter, unit=unit))
             self.axes_row.addWidget(label, i // 3, i % 3)
 
-    # What the user does.
+    # User actions.
     def toggle(self):
         self.playing = not self.playing
         if self.playing and self.seconds >= self.player.length:
@@ -227,7 +227,7 @@ class Playback(QtWidgets.QWidget):
             self.go_to(self.seconds)
 
     def go_to(self, seconds):
-        """Stops at a moment."""
+        """Stops at a time."""
         if self.player is None:
             return
         self.playing, self.seconds, self._asked_line = False, min(max(seconds, 0.0), self.player.length), None
@@ -239,16 +239,16 @@ class Playback(QtWidgets.QWidget):
         self.go_to(self.player.step(self.seconds, moves))
 
     def go_to_line(self, line):
-        """Stops where a line has just been done."""
+        """Stops at the end of a line."""
         if self.player is None:
             return
-        self.go_to(float(np.nextafter(self.player.end_of_line(line), 0)))  # the move that ends, not the one that begins
+        self.go_to(float(np.nextafter(self.player.end_of_line(line), 0)))  # the move that ends, not the next one
         self._asked_line = line
         self._show_line(line)
 
     def go_to_event(self, event):
         if event["kind"] in ("gouge", "excess") and self.see_deviation.isChecked():
-            self.go_to(self.player.length)  # where the colours tell it
+            self.go_to(self.player.length)  # at the end, where the colours show it
             self._asked_line = event["line"]
             self._show_line(event["line"])
         else:
@@ -282,7 +282,7 @@ class Playback(QtWidgets.QWidget):
             return
         try:
             frame = self.player.take()
-        except Exception as error:  # of the thread
+        except Exception as error:  # error on the player's thread
             self.timer.stop()
             self.said.emit(str(error), False)
             return
@@ -311,12 +311,12 @@ class Playback(QtWidgets.QWidget):
         if not self._fitted:
             self._fitted = True
             if not any(o.ViewObject.Visibility for o in self.document.Objects):
-                self.view.fit()  # else the user looks at something already
+                self.view.fit()  # otherwise keep the user's view
         self._show_numbers(frame.seconds)
         self._show_line(self._asked_line or self._moment["line"])
 
     def _place(self):
-        """Puts tool and stock where they are."""
+        """Updates the positions of tool and stock."""
         if self._moment is None:
             return
         if (move_tool := self._moment["tool"]) != self._tool_shown:

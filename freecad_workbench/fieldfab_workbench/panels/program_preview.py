@@ -1,4 +1,4 @@
-"""A machine program as it will be written, with its line numbers, before it is saved."""
+"""Preview of a machine program with line numbers, before it is saved."""
 
 from ..shim import QtWidgets
 from ..words import tr
@@ -7,7 +7,7 @@ from .wheel import WheelGuard
 
 
 class ProgramPreview(QtWidgets.QDialog):
-    """`text`: the program. `accepted` is emitted where the user wants it saved."""
+    """`text`: the program. `accepted` is emitted if the user chooses to save it."""
 
     def __init__(self, title, text, about, parent=None):
         super().__init__(parent)

@@ -1,11 +1,11 @@
-"""A program's text, of any length: only the lines that are seen are looked at."""
+"""View of a program's text of any length: only visible lines are rendered."""
 
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
 
 
 class Lines(QtCore.QAbstractTableModel):
-    """One column; the lines with their numbers."""
+    """A model with one column: the lines with their numbers."""
 
     def __init__(self, lines, parent):
         super().__init__(parent)
@@ -23,7 +23,7 @@ class Lines(QtCore.QAbstractTableModel):
 
 
 class ProgramView(QtWidgets.QTableView):  # a list view would lay out every line
-    """Marks the current line; a click on another one asks to go there (`asked`, the line from 1)."""
+    """Marks the current line. A click on another line emits `asked` with its number, from 1."""
 
     asked = QtCore.Signal(int)
 
@@ -55,7 +55,7 @@ class ProgramView(QtWidgets.QTableView):  # a list view would lay out every line
         self.setColumnWidth(0, max(self.text_width, self.viewport().width()))
 
     def line(self):
-        """The marked line, from 1; 0: none."""
+        """Returns the number of the marked line, from 1, or 0 for none."""
         return self.currentIndex().row() + 1
 
     def mark(self, line):
@@ -64,8 +64,8 @@ class ProgramView(QtWidgets.QTableView):  # a list view would lay out every line
             return
         seen = range(self.rowAt(0), max(self.rowAt(self.viewport().height() - 1), 0))
         self.setCurrentIndex(index)
-        if index.row() not in seen:  # it moves on by pages, not line by line
+        if index.row() not in seen:  # scroll by pages, not line by line
             self.scrollTo(index, self.PositionAtCenter)
 
     def sizeHint(self):
-        return QtCore.QSize(300, 90)  # more where there is room
+        return QtCore.QSize(300, 90)  # grows with the available room

@@ -1,4 +1,4 @@
-"""A task panel made from an object's own properties, for solids that are described by a few numbers and choices."""
+"""Task panel generated from an object's properties, for solids with a few numbers and choices."""
 
 import FreeCAD
 
@@ -10,9 +10,9 @@ from .choices import offer
 from .edit_panel import EditPanel
 from .measures import place_boxes, quantity_box
 
-SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups that the property editor is enough for
+SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups shown only in FreeCAD's property editor
 HIDDEN = "Hidden"
-PURE = ("Direction", "Factors")  # vectors of plain numbers; the others are places and ways
+PURE = ("Direction", "Factors")  # vectors without a unit; the others are positions and displacements
 TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromObject": marked("Solid from object"),
           "PartShape": marked("Part shape"),
           "FilePart": marked("Part of a model"),
@@ -22,7 +22,7 @@ TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromOb
 
 
 class PropertyPanel(EditPanel):
-    """One row a property that matters now; which those are follows the object's editor modes."""
+    """A row for each property that applies now, according to the object's editor modes."""
 
     def __init__(self, obj):
         super().__init__(obj, tr(TITLES[obj.Proxy.NAME]))
@@ -35,7 +35,7 @@ class PropertyPanel(EditPanel):
             Preview(obj, self.say, self.form) if hasattr(obj, "Mesh") and hasattr(obj.Proxy, "mesh_settings") else None)
 
     def changed(self, *_):
-        """Takes the values over and, of a solid, shows what they make; what is missing is told."""
+        """Writes the values to the object and updates the preview of a solid. Shows errors, such as missing inputs."""
         try:
             self.take_over()
             if self.preview:
@@ -78,7 +78,7 @@ class PropertyPanel(EditPanel):
         def chosen():
             self.changed()
             if name == "Operation":
-                QtCore.QTimer.singleShot(0, self.fill)  # not while the box that is about to go still speaks
+                QtCore.QTimer.singleShot(0, self.fill)  # later: the box is deleted and still in its signal
 
         box.activated.connect(lambda index: chosen())
         return box, lambda: setattr(self.obj, name, box.currentData())
@@ -158,11 +158,12 @@ class PropertyPanel(EditPanel):
                                     self.document.getObject(box.currentData()) if box.currentIndex() >= 0 else None)
 
     def _links(self, name):
-        """All candidates, those chosen on top; ticked ones are taken, in the list's order, which dragging changes."""
+        """Returns a list of all candidates, with the chosen ones on top. Checked items are taken in the list's order,
+        which the user can change by dragging."""
         box = QtWidgets.QListWidget()
         box.setDragDropMode(QtWidgets.QAbstractItemView.InternalMove)
         box.setMaximumHeight(140)
-        box.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)  # as wide as there is room
+        box.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)  # takes the available width
         chosen = list(getattr(self.obj, name))
         for candidate in chosen + [c for c in candidates(self.obj) if c not in chosen]:
             item = QtWidgets.QListWidgetItem(candidate.Label, box)
@@ -198,7 +199,7 @@ MAKERS = {
 
 
 def candidates(obj):
-    """What a solid may be made of: whatever bounds something and is not made of it."""
+    """Returns the possible sources of a solid: objects that bound a solid and do not depend on this one."""
     return [other for other in obj.Document.Objects
             if other != obj and obj not in other.OutListRecursive
             and (hasattr(other, "Mesh") or getattr(getattr(other, "Shape", None), "Solids", None))]

@@ -1,4 +1,4 @@
-"""The widgets of a scan's panel, and what they hold."""
+"""Widgets of a scan's panel, and their values."""
 
 import FreeCAD
 
@@ -12,7 +12,7 @@ from .measures import MeasureBox, place_boxes
 
 
 class ScanForm(EditPanel):
-    """File, histogram and threshold, lattice, clean-up, outcome: from top to bottom."""
+    """From top to bottom: file, histogram and threshold, lattice, clean-up, outcome."""
 
     def __init__(self, obj):
         super().__init__(obj, tr("Scan"))

@@ -1,5 +1,4 @@
-"""The task panel of a scan: its file, the threshold over the histogram, and what is kept. Meanwhile the view shows a
-coarse solid."""
+"""Task panel of a scan: its file, the threshold in the histogram, and clean-up. The 3D view previews a coarse solid."""
 
 import math
 import os
@@ -16,20 +15,20 @@ from ..words import tr
 from ..work import Gauge
 from .scan_form import ScanForm, set_quietly
 
-RAW = (".raw", ".vol", ".dcm")  # whose type or size the file itself may not tell
+RAW = (".raw", ".vol", ".dcm")  # files that may lack the sample type or the size
 
 
 class ScanPanel(ScanForm):
     def __init__(self, obj):
         super().__init__(obj)
         self.overview = self._read_as = None
-        self.unread = False  # whether the file was refused as it is
+        self.unread = False  # whether reading the file failed
         self._had_crop = bool(obj.Crop)
         self._unseen = obj.Mesh.CountFacets == 0
-        FreeCADGui.Selection.clearSelection()  # its green would cover the picture
+        FreeCADGui.Selection.clearSelection()  # the selection's green would hide the preview
         self.preview = ScanPreview(obj)
         self.work, self.reading = Newest(self._failed, self._show_progress), Gauge(self.progress)
-        self.form.destroyed.connect(self.work.stop)  # whoever closes it
+        self.form.destroyed.connect(self.work.stop)  # however the form is closed
         self._connect()
         self._changed_file()
 
@@ -44,12 +43,12 @@ class ScanPanel(ScanForm):
         return os.path.dirname(self.path.text() or self.document.FileName)
 
     def choose(self, path):
-        """Takes another file or folder; "" takes none."""
+        """Sets another file or folder. "" changes nothing."""
         if path:
             self.path.setText(whole_stack(path))
             self._changed_file()
 
-    # What happens when.
+    # Signals.
     def _connect(self):
         self.path.editingFinished.connect(self._changed_file)
         self.type.currentIndexChanged.connect(self._changed_file)
@@ -73,7 +72,7 @@ class ScanPanel(ScanForm):
             self._changed()
 
     def _changed_file(self, *_):
-        """Reads the file's overview, where the file, or how it is read, is another one."""
+        """Reads the file's overview if the file or its reading parameters have changed."""
         file = self.file()
         if file == self._read_as:
             return
@@ -104,11 +103,11 @@ class ScanPanel(ScanForm):
             box.setMaximum(last)
         if not self._had_crop:
             set_quietly(self.crop, (0, 0, 0, *(n - 1 for n in volume.size)))
-        self._had_crop = False  # of another file they mean nothing
+        self._had_crop = False  # the crop is meaningless for another file
         self._changed()
 
     def _changed(self, *_):
-        """Shows what the widgets say now."""
+        """Updates the preview from the widgets."""
         self._show_rows()
         if self.overview is None:
             return
@@ -128,7 +127,7 @@ class ScanPanel(ScanForm):
         self.work.ask(make, self._made)
 
     def _show_rows(self):
-        """Only what means something now."""
+        """Shows only the rows that apply."""
         self.threshold.setEnabled(not self.automatic.isChecked())
         for row in self.crop_rows:
             row.setVisible(self.cropping.isChecked())
@@ -178,8 +177,8 @@ class ScanPanel(ScanForm):
         return super().accept()
 
     def reject(self):
-        """Removes a scan that was never computed: FreeCAD's import may have ended its undo step before the panel could
-        take it back."""
+        """Reverts the changes. Removes a scan that was never computed explicitly, because FreeCAD's import may have
+        ended the undo step."""
         document, name = self.document, self.obj.Name
         document.abortTransaction()
         self.close()
@@ -196,5 +195,5 @@ class ScanPanel(ScanForm):
 
 
 def _rounded(number):
-    """Two digits: 1,100,000 for 1,054,094."""
+    """Formats with two significant digits: 1,100,000 for 1,054,094."""
     return f"{float(f'{number:.2g}'):,.0f}"
