@@ -62,7 +62,7 @@ class SetupPanel(EditPanel):
             widget, write = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
             widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
             for number in [widget, *widget.findChildren(QtWidgets.QAbstractSpinBox)]:
-                for signal in ("valueChanged", "editingFinished"):  # FreeCAD's own box emits only the latter as a Qt signal
+                for signal in ("valueChanged", "editingFinished"):  # FreeCAD's box emits only the latter
                     if hasattr(number, signal):
                         getattr(number, signal).connect(lambda *value, write=write: self._written(write))
             if hasattr(widget, "activated"):

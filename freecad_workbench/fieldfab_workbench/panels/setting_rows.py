@@ -1,5 +1,5 @@
-"""A form made from the settings of a workflow stage. A setting that is not given shows its default in grey; an error is
-shown below its setting."""
+"""Form generated from the settings of a workflow stage. A setting that is not given shows its default in grey. An error
+is shown below its setting."""
 
 from .. import units
 from ..shim import QtCore, QtWidgets
@@ -9,7 +9,7 @@ GREY, RED = "color: gray", "color: #b3261e"
 
 
 class Row:
-    """One setting: its label, its editor, and a line for what is wrong with it."""
+    """One setting: its label, its editor, and a line for its error."""
 
     def __init__(self, obj, setting, changed):
         self.obj, self.setting, self.changed = obj, setting, changed
@@ -43,7 +43,7 @@ class Row:
         return self.setting.shown(self.obj.Proxy.default(self.obj, self.setting))
 
     def refresh(self):
-        """Shows what the object has, unless somebody types here."""
+        """Shows the object's value, unless the editor has the focus."""
         matters = self.setting.matters(self.obj.Proxy.effective(self.obj))
         for widget in (self.label, self.field):
             widget.setVisible(matters)
@@ -117,13 +117,13 @@ class Row:
 
 
 class SettingRows(QtWidgets.QWidget):
-    """All settings of a stage of an object; `changed` is called whenever one is given or taken back."""
+    """The settings of a stage of an object. `changed` is called if one is given or reset to its default."""
 
     def __init__(self, obj, stage, changed=lambda: None):
         super().__init__()
         form = QtWidgets.QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
-        form.setVerticalSpacing(0)  # rows that are hidden would leave theirs
+        form.setVerticalSpacing(0)  # hidden rows would leave gaps
         form.setFieldGrowthPolicy(QtWidgets.QFormLayout.ExpandingFieldsGrow)
         form.setLabelAlignment(QtCore.Qt.AlignLeft)
         self._told = changed

@@ -1,4 +1,4 @@
-"""The form of a simulation's program, stock, tools and target."""
+"""Form for a simulation's program, stock, tools and target."""
 
 import FreeCAD
 
@@ -17,12 +17,12 @@ TOOL_COLUMNS = tuple(zip(
     marked(("No.", "Shape", "Diameter", "Corner", "Angle", "Flute", "Length", "Shank", "Holder \N{DIAMETER SIGN}",
             "Holder length"))))
 SHAPES = marked(("flat", "ball", "bull", "v", "tapered", "drill", "form"))
-UNITS = {"number": "", "angle": ""}  # of columns that are no lengths
-MARGIN = 5.0  # mm of stock around what a program reaches, where nothing else is known
+UNITS = {"number": "", "angle": ""}  # columns other than lengths
+MARGIN = 5.0  # mm of stock around a program's extent, for the initial guess
 
 
 class FileBox(QtWidgets.QWidget):
-    """A line for a file's name, and a button that looks for one."""
+    """A line for a file name, with a button that opens a file dialog."""
 
     def __init__(self, path, words, kinds):
         super().__init__()
@@ -44,12 +44,12 @@ class FileBox(QtWidgets.QWidget):
 
 
 def _cell(tool, key):
-    """What a column shows of a tool."""
+    """Returns the text of a tool's cell in a column."""
     return units.told(tool[key], UNITS.get(key, "mm"), 6) if tool.get(key) else ""
 
 
 class SetupForm(QtWidgets.QWidget):
-    """Shows what a Simulation object is to carry out; `write()` puts it into the object."""
+    """Edits the inputs of a Simulation object; `write()` stores them in the object."""
 
     def __init__(self, obj):
         super().__init__()
@@ -156,11 +156,11 @@ class SetupForm(QtWidgets.QWidget):
                 self.tools.setCellWidget(row, column, box)
             else:
                 self.tools.setItem(row, column, QtWidgets.QTableWidgetItem(_cell(tool, key)))
-        self.tools.item(row, 0).setData(QtCore.Qt.UserRole, set_ups.tool_to_line(tool))  # with what has no column
+        self.tools.item(row, 0).setData(QtCore.Qt.UserRole, set_ups.tool_to_line(tool))  # also keys without a column
         self.tools.resizeColumnsToContents()
 
     def _tool(self, row):
-        """Raises ValueError with a line for the user."""
+        """Returns the tool in a row. Raises ValueError with a line for the user."""
         tool = set_ups.tool_from_line(self.tools.item(row, 0).data(QtCore.Qt.UserRole) or "{}")
         for column, (key, words) in enumerate(TOOL_COLUMNS):
             if key == "shape":
@@ -179,7 +179,7 @@ class SetupForm(QtWidgets.QWidget):
         return tool
 
     def _follow(self):
-        """Only what counts is seen."""
+        """Shows only the inputs that apply."""
         planned = programs.is_planned(self._program_object())
         self.by_hand.setVisible(not self.setup.line.text() and not planned and not self.of_setup.currentData())
         self.of_setup.setEnabled(not planned)
@@ -187,12 +187,12 @@ class SetupForm(QtWidgets.QWidget):
         self.corners.setVisible(not self.stock.currentData())
 
     def _program_object(self):
-        """The object whose program is taken; None for a file."""
+        """Returns the object that provides the program, or None for a file."""
         return self.obj.Document.getObject(self.of_object.currentData()) if self.of_object.currentData() else None
 
     def _chosen(self):
-        """Takes over tools, stock and target of a Path Job. A file that follows a machine program, such as an edited
-        copy of it, keeps the program's set-up."""
+        """Takes tools, stock and target from a Path Job. When the program changes from a machine program to a file,
+        such as an edited copy of it, the program's set-up is kept."""
         source, before = self._program_object(), self.obj.Document.getObject(self._before) if self._before else None
         self._before = self.of_object.currentData()
         if source is None and programs.is_planned(before):
@@ -203,7 +203,7 @@ class SetupForm(QtWidgets.QWidget):
 
     def take_from(self, source):
         if programs.is_planned(source):
-            return  # its own job tells everything
+            return  # its job is a complete set-up
         tools = programs.tools_of(source) if programs.is_job(source) or hasattr(source, "Path") else []
         if tools:
             self.tools.setRowCount(0)
@@ -233,7 +233,7 @@ class SetupForm(QtWidgets.QWidget):
         if (found := programs.extent(program)) is not None:
             (x0, y0, z0), (x1, y1, z1) = found
             highest = programs.highest_cut(program)
-            # In most programs z = 0 is the stock's upper side.
+            # In most programs z = 0 is the top of the stock.
             top = z1 if highest is None else max(highest, 0.0) if z0 < 0 else highest
             self._set_corners((x0 - MARGIN, y0 - MARGIN, min(z0, top) - MARGIN), (x1 + MARGIN, y1 + MARGIN, top))
 
@@ -243,7 +243,7 @@ class SetupForm(QtWidgets.QWidget):
                 box.setValue(value)
 
     def write(self):
-        """Raises ValueError with a line for the user."""
+        """Writes the values to the object. Raises ValueError with a line for the user."""
         obj, tools = self.obj, [set_ups.tool_to_line(self._tool(row)) for row in range(self.tools.rowCount())]
         find = lambda box: obj.Document.getObject(box.currentData()) if box.currentData() else None  # noqa: E731
         values = {

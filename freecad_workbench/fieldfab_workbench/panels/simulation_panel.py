@@ -1,4 +1,4 @@
-"""The task panel of a simulation: its set-up, and playing it back."""
+"""Task panel of a simulation: its set-up and its playback."""
 
 import json
 import os
@@ -12,9 +12,9 @@ from .edit_panel import EditPanel
 from .playback import Playback
 from .setup_form import SetupForm
 
-FRAMES = 200  # pictures of a film
+FRAMES = 200  # number of frames of a film
 LEAST_HEIGHT = 480  # pixels
-AROUND = 190  # pixels of a dock's height that are not the panel's
+AROUND = 190  # pixels of a dock's height outside of the panel
 
 
 class SimulationPanel(EditPanel):
@@ -34,7 +34,7 @@ class SimulationPanel(EditPanel):
         self.playback.said.connect(self.say)
         self.seen_before = obj.ViewObject.Visibility
         obj.Proxy.edited = True
-        obj.ViewObject.Visibility = obj.ViewObject.Visibility and bool(obj.MadeFrom)  # a new one is not drawn twice
+        obj.ViewObject.Visibility = obj.ViewObject.Visibility and bool(obj.MadeFrom)  # not drawn twice
         self.timer = QtCore.QTimer(self.form)
         self.timer.timeout.connect(self._watch)
         self.timer.start(30)
@@ -74,7 +74,7 @@ class SimulationPanel(EditPanel):
         return page
 
     def make_room(self):
-        """Takes the dock's height, too: a program and its numbers need it."""
+        """Also enlarges the dock's height, for the program and its numbers."""
         super().make_room()
         if dock := self.dock():
             self.form.setMinimumHeight(max(LEAST_HEIGHT, dock.height() - AROUND))
@@ -95,9 +95,9 @@ class SimulationPanel(EditPanel):
         for button in self.exports:
             button.setEnabled(playing)
 
-    # Work beside the window.
+    # Work in the background.
     def start_or_stop(self):
-        """Carries the program out beside the window; the second press stops it."""
+        """Starts the simulation in the background, or stops the running one."""
         if self.task is not None:
             self.task.cancel()
             return
@@ -113,7 +113,7 @@ class SimulationPanel(EditPanel):
         self.task, self.done = work.Task(function), done
         self.start_button.setText(tr("Stop"))
         self.say("", True)
-        self.form.destroyed.connect(self.task.cancel)  # as when the document is closed
+        self.form.destroyed.connect(self.task.cancel)  # e.g. if the document is closed
         self.task.start()
 
     def _watch(self):
@@ -142,7 +142,7 @@ class SimulationPanel(EditPanel):
             self.done(result)
 
     def _simulated(self, run):
-        self.document.recompute([self.obj])  # takes the kept run
+        self.document.recompute([self.obj])  # uses the cached run
         if not self.obj.isValid():
             self.say(self.obj.getStatusString())
             return
@@ -150,7 +150,7 @@ class SimulationPanel(EditPanel):
         self._play(run)
 
     def _show_kept(self):
-        """Plays what was carried out in this session; else the user may have it carried out again."""
+        """Plays the run of this session, if there is one; otherwise asks the user to simulate."""
         try:
             run = self.obj.Proxy.kept_run(self.obj)
         except ValueError as error:
@@ -163,7 +163,7 @@ class SimulationPanel(EditPanel):
 
     def _play(self, run):
         self.run = run
-        self.obj.ViewObject.Visibility = False  # the playback is in its place
+        self.obj.ViewObject.Visibility = False  # replaced by the playback
         planned = planned_of(self.obj)
         part = planned.Setup.Part if planned is not None and planned.Setup is not None else None
         self.playback.show(run, run.report["events"], list(filter(None, dict.fromkeys([self.obj.Target or part]))))
@@ -198,7 +198,7 @@ class SimulationPanel(EditPanel):
             tr("{count} frames are in {folder}").format(count=count, folder=os.path.basename(folder)), True))
 
     def keep(self):
-        """The stock at the moment that is shown, as a mesh."""
+        """Adds the stock at the current time to the document, as a mesh."""
         player, seconds = self.playback.player, self.playback.seconds
 
         def make(progress):
@@ -215,7 +215,7 @@ class SimulationPanel(EditPanel):
         kept.ViewObject.Visibility = False
         self.say(tr("kept: {label}").format(label=kept.Label), True)
 
-    # What FreeCAD asks of a task panel.
+    # FreeCAD's interface of a task panel.
     def take_over(self):
         self.setup.write()
 

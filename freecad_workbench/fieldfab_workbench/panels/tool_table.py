@@ -1,4 +1,4 @@
-"""The tools of a CAM set-up as a table, and all numbers of the one that is chosen below it."""
+"""Table of the tools of a CAM set-up, and all numbers of the selected tool below it."""
 
 from .. import tool_bits, units
 from ..objects import cam_setup, cam_tool
@@ -13,7 +13,7 @@ COLUMNS = marked(("No.", "Name", "Shape", "\u2300 {unit}"))
 
 
 class ToolTable(QtWidgets.QWidget):
-    """`changed` is called after each change."""
+    """Calls `changed` after each change."""
 
     def __init__(self, setup, changed=lambda: None):
         super().__init__()
@@ -85,7 +85,7 @@ class ToolTable(QtWidgets.QWidget):
         self.changed()
 
     def _problem(self, tool, column, text):
-        """Gives the tool what was typed in a column; says what is wrong with it, "" for nothing."""
+        """Writes the text of a cell to the tool. Returns an error message, "" for success."""
         if column == 1:
             tool.Label = text or cam_tool.name_of(tool)
             return ""
@@ -101,7 +101,7 @@ class ToolTable(QtWidgets.QWidget):
         return ""
 
     def _reshape(self, tool, shape, line):
-        """The box that was chosen from stays: only the rows below the table are others now."""
+        """Changes the shape. Keeps the combo box that emitted the signal and only rebuilds the rows below the table."""
         tool.Shape = shape
         self.table.blockSignals(True)
         self.table.item(line, 1).setText(tool.Label)
@@ -160,7 +160,7 @@ class ToolTable(QtWidgets.QWidget):
         self.take_files(paths)
 
     def take_files(self, paths):
-        """Adds the tools of tool bits and libraries; says what could not be taken."""
+        """Adds the tools of tool bits and libraries. Reports the tools that could not be read."""
         problems = []
         for path in paths:
             try:

@@ -1,4 +1,4 @@
-"""Keeps the mouse wheel from changing what a panel holds while somebody scrolls through it."""
+"""Keeps the mouse wheel from changing values while the user scrolls through a panel."""
 
 from ..shim import QtCore, QtWidgets
 
@@ -6,8 +6,8 @@ INPUTS = (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox, QtWidgets.QAbstractSl
 
 
 class WheelGuard(QtCore.QObject):
-    """Inputs below a widget, now or later, take the wheel only while they have the focus; otherwise the wheel scrolls
-    what is around them."""
+    """Event filter for inputs below a widget, also those added later: they take the wheel only while they have the
+    focus. Otherwise the wheel scrolls the surrounding widget."""
 
     def __init__(self, widget):
         super().__init__(widget)
@@ -17,14 +17,14 @@ class WheelGuard(QtCore.QObject):
         for each in (widget, *widget.findChildren(QtWidgets.QWidget)):
             each.installEventFilter(self)
             if _is_input(each) and each.focusPolicy() == QtCore.Qt.WheelFocus:
-                each.setFocusPolicy(QtCore.Qt.StrongFocus)  # else the wheel would give it the focus first
+                each.setFocusPolicy(QtCore.Qt.StrongFocus)  # otherwise the wheel would first give it the focus
 
     def eventFilter(self, watched, event):
         if event.type() in (QtCore.QEvent.ChildAdded, QtCore.QEvent.ChildPolished):
             if isinstance(event.child(), QtWidgets.QWidget):
                 self._watch(event.child())
         elif event.type() == QtCore.QEvent.Wheel and _is_input(watched) and not watched.hasFocus():
-            event.ignore()  # its parent is asked next
+            event.ignore()  # passes the event to the parent
             return True
         return False
 
