@@ -1,1 +1,1 @@
-"""How the objects look, and what a double-click does."""
+"""View providers: display of the objects and reaction to double clicks."""

@@ -1,4 +1,4 @@
-"""How CAM set-ups, their tools and operations look in the tree, and the stock in the 3D view."""
+"""View providers of CAM set-ups, tools and operations: their entries in the tree, and the stock in the 3D view."""
 
 from pivy import coin
 
@@ -9,7 +9,7 @@ STOCK_COLOUR = (0.55, 0.45, 0.30)
 
 
 class SetupView(DocumentView):
-    """The stock is seen as the edges of its box."""
+    """Shows the edges of the stock's box."""
 
     def scene(self):
         root, colour, style = coin.SoSeparator(), coin.SoBaseColor(), coin.SoDrawStyle()
@@ -29,7 +29,7 @@ class SetupView(DocumentView):
     def show_stock(self):
         try:
             lower, upper = cam_setup.stock_box(self.Object)
-        except (ValueError, AttributeError):  # nothing is chosen yet, or its properties are still to come
+        except (ValueError, AttributeError):  # no part yet, or the properties are not restored yet
             self.corners.point.deleteValues(0)
             return
         self.corners.point.setValues(0, 8, [(x, y, z) for x in (lower.x, upper.x) for y in (lower.y, upper.y)
@@ -44,7 +44,7 @@ class SetupView(DocumentView):
         return [*self.Object.Tools, *self.Object.Operations, *cam_setup.programs_of(self.Object)]
 
     def onDelete(self, view, subelements):
-        """Its tools, operations and programs go with it."""
+        """Deletes the set-up's tools, operations and programs, too."""
         for child in self.claimChildren():
             view.Object.Document.removeObject(child.Name)
         return True

@@ -1,4 +1,4 @@
-"""Arrays into Coin's fields, whole."""
+"""Fast copies of whole arrays into Coin fields."""
 
 import ctypes
 
@@ -6,8 +6,8 @@ import numpy as np
 
 
 def fill(field, array):
-    """Gives a multiple-value field the rows of an array, which must have the field's own type of numbers (float32,
-    int32, uint32)."""
+    """Copies the rows of an array into a multiple-value field. Their data types must be equal (float32, int32,
+    uint32)."""
     array = np.ascontiguousarray(array)
     field.setNum(len(array))
     if len(array):
@@ -17,6 +17,6 @@ def fill(field, array):
 
 
 def packed(rgb):
-    """(n, 3) bytes of red, green and blue as Coin's packed colours."""
+    """Returns (n, 3) bytes of red, green and blue as Coin's packed colours, opaque."""
     wide = np.asarray(rgb, np.uint32)
     return (wide[:, 0] << 24) | (wide[:, 1] << 16) | (wide[:, 2] << 8) | np.uint32(255)

@@ -1,5 +1,5 @@
-"""Meshes and boxes as Coin nodes, shown by panels in the 3D view beside the objects. Arrays go into Coin whole, as the
-bytes of a binary Inventor file."""
+"""Meshes and boxes as Coin nodes, which panels add to the 3D view. Arrays are passed to Coin as the bytes of a binary
+Inventor file."""
 
 import numpy as np
 from pivy import coin
@@ -8,8 +8,8 @@ from . import inventor
 
 
 class MeshBytes:
-    """Triangles ready for Coin: made on any thread; `node()` is called in the window's thread. `flat`: edges look
-    sharp; else all looks smooth. `colours`: one for each vertex, rows of red, green, blue in 0 to 1."""
+    """Triangles for Coin. Made on any thread; `node()` is for the window's thread. `flat`: flat shading with sharp
+    edges, otherwise smooth shading. `colours`: (n, 3) red, green, blue in 0 to 1, one row for each vertex, or None."""
 
     def __init__(self, vertices, triangles, flat=False, colours=None):
         self.count, self.flat = len(triangles), flat
@@ -23,10 +23,10 @@ class MeshBytes:
                       inventor.node_bytes("IndexedFaceSet", "coordIndex", index.size, index)]
 
     def node(self, colour=(0.42, 0.62, 0.86)):
-        """A separator that clicks pass through. The colour is taken where the vertices have none."""
+        """Returns a separator that cannot be picked. `colour` is used without vertex colours."""
         root, pick, hints = coin.SoSeparator(), coin.SoPickStyle(), coin.SoShapeHints()
         pick.style = coin.SoPickStyle.UNPICKABLE
-        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # without a shape type: lit from both sides
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # without a shape type: two-sided lighting
         normals, colours = coin.SoNormalBinding(), coin.SoMaterialBinding()
         normals.value = coin.SoNormalBinding.PER_FACE if self.flat else coin.SoNormalBinding.PER_VERTEX_INDEXED
         if self._material is None:
@@ -41,7 +41,7 @@ class MeshBytes:
 
 
 def box_node(lower, upper, colour=(1.0, 0.75, 0.1)):
-    """The twelve edges of a box."""
+    """Returns the twelve edges of a box."""
     root, material, style, model = coin.SoSeparator(), coin.SoBaseColor(), coin.SoDrawStyle(), coin.SoLightModel()
     material.rgb = colour
     style.lineWidth = 2
@@ -57,7 +57,7 @@ def box_node(lower, upper, colour=(1.0, 0.75, 0.1)):
 
 
 def frame_node(origin, axes):
-    """A transform from a lattice's own coordinates to where its axes lie."""
+    """Returns the transform from a lattice's coordinates to its origin and axes in space."""
     (ax, ay, az), (bx, by, bz), (cx, cy, cz) = axes
     node = coin.SoMatrixTransform()
     node.matrix = coin.SbMatrix(ax, ay, az, 0, bx, by, bz, 0, cx, cy, cz, 0, *origin, 1)
@@ -65,13 +65,13 @@ def frame_node(origin, axes):
 
 
 def _flat_normals(vertices, triangles):
-    """Of each triangle."""
+    """Returns the unit normal of each triangle."""
     a, b, c = (vertices[triangles[:, i]] for i in range(3))
     return inventor.unit(np.cross(b - a, c - a))
 
 
 def _smooth_normals(vertices, triangles):
-    """Of each vertex the mean direction of its triangles, by their areas."""
+    """Returns for each vertex the area-weighted mean normal of its triangles."""
     a, b, c = (vertices[triangles[:, i]] for i in range(3))
     faces = np.cross(b - a, c - a)
     corners = triangles.ravel()

@@ -1,14 +1,14 @@
-"""A solid's mesh in the colours of its deviations, in place of its own."""
+"""Display of a solid's mesh coloured by its deviations, instead of its own colour."""
 
 from ..words import tr
 from .legend import ReachLegend
 
 
 class DeviationView:
-    """Under the object's own placement; `close()` leaves the view as it was."""
+    """Adds the coloured mesh under the object's placement; `close()` restores the view."""
 
     def __init__(self, obj, surface, reach):
-        """`surface`: MeshBytes in the object's own coordinates; `reach`: the end of the colours' scale, mm."""
+        """`surface`: MeshBytes in the object's own coordinates; `reach`: the end of the colour scale, mm."""
         self._parent, self._switch = obj.ViewObject.RootNode, obj.ViewObject.SwitchNode
         self._own = self._switch.whichChild.getValue()
         self._node = surface.node()

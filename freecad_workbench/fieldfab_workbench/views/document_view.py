@@ -1,4 +1,4 @@
-"""How objects without a shape look: whatever they show in the 3D view is Coin nodes of their own."""
+"""View provider of objects without a shape. They add their own Coin nodes to the 3D view."""
 
 from pivy import coin
 
@@ -17,7 +17,7 @@ class DocumentView(ObjectView):
         view.addDisplayMode(self.scene(), "Ways")
 
     def scene(self):
-        """What is seen, a Coin node."""
+        """Returns the Coin node to display."""
         return coin.SoSeparator()
 
     def getDisplayModes(self, view):

@@ -1,19 +1,19 @@
-"""Triangles as Coin nodes, whole: no loop over triangles. Pivy fills a field number by number, and never frees what it
-converted. Coin's own reader of binary Inventor files takes arrays as they are, and reads from memory."""
+"""Triangles as Coin nodes without a loop over triangles. Pivy fills fields number by number and never frees converted
+values. Coin's reader of binary Inventor files accepts whole arrays, and reads from memory."""
 
 import struct
 
 import numpy as np
 
 HEAD = b"#Inventor V2.1 binary  \n"
-_GROUP = 2  # the flag of nodes that have others below
-CREASE = 0.86  # cosine of about 30 degrees: a normal farther from its facet's belongs to the other side of an edge
+_GROUP = 2  # flag of nodes with children
+CREASE = 0.86  # cosine of about 30 degrees: a larger angle between a vertex normal and its facet's means an edge
 
 
 def corner_normals(vertices, triangles, slopes):
-    """Vertices, normals and triangles to draw. `slopes`: the solid's gradients at the vertices. Where a triangle and
-    the gradient at its corner disagree there is an edge: that corner becomes a vertex of its own, with the triangle's
-    normal."""
+    """Returns vertices, normals and triangles for rendering. `slopes`: the solid's gradients at the vertices. If the
+    directions of a triangle's normal and of the gradient at its corner differ, there is an edge. Then the corner
+    becomes a separate vertex with the triangle's normal."""
     facets, normals = unit(_crosses(vertices, triangles)), unit(slopes)
     apart = np.einsum("tcx,tx->tc", normals[triangles], facets) < CREASE
     triangle, corner = np.nonzero(apart)
@@ -24,12 +24,13 @@ def corner_normals(vertices, triangles, slopes):
 
 
 def creased(vertices, triangles):
-    """Vertices, normals and triangles to draw of flat faces, as FreeCAD draws an object's mesh: each corner has the
-    mean normal of those triangles at its vertex whose normals are close to its own triangle's."""
+    """Returns vertices, normals and triangles for rendering flat faces, as FreeCAD renders an object's mesh. A corner's
+    normal is the area-weighted mean over those triangles at its vertex whose normals are close to that of its own
+    triangle."""
     crosses, corners = _crosses(vertices, triangles), triangles.ravel()
     facets, order, normals = unit(crosses), np.argsort(corners, kind="stable"), np.empty((len(corners), 3), np.float32)
     _, first, count = np.unique(corners[order], return_index=True, return_counts=True)
-    for many in np.unique(count):  # the vertices of so many corners at once
+    for many in np.unique(count):  # all vertices with this number of corners at once
         here = order[first[count == many][:, None] + np.arange(many)]
         alike = np.einsum("vix,vjx->vij", facets[here // 3], facets[here // 3]) > CREASE
         normals[here] = np.einsum("vij,vjx->vix", alike, crosses[here // 3])
@@ -37,7 +38,7 @@ def creased(vertices, triangles):
 
 
 def _crosses(vertices, triangles):
-    """The triangles' normals, as long as twice their areas."""
+    """Returns the triangles' normals, with a length of twice the area."""
     sides = vertices[triangles[:, 1:]] - vertices[triangles[:, :1]]
     return np.cross(sides[:, 0], sides[:, 1])
 
@@ -48,7 +49,7 @@ def unit(vectors):
 
 
 def written(vertices, normals, triangles):
-    """The three arrays as the bytes of a binary Inventor file; on any thread."""
+    """Returns the three arrays as the bytes of a binary Inventor file. For any thread."""
     corners = np.full((len(triangles), 4), -1, ">i4")
     corners[:, :3] = triangles
     nodes = (node_bytes("Normal", "vector", len(normals), normals.astype(">f4")),
@@ -58,7 +59,7 @@ def written(vertices, normals, triangles):
 
 
 def node_bytes(kind, field, count, values):
-    """A node with one long field; `values` hold big-endian numbers."""
+    """Returns the bytes of a node with one array field. `values` are big-endian."""
     return b"".join((_name(kind), struct.pack(">ii", 0, 1), _name(field), struct.pack(">i", count), values.tobytes(),
                      struct.pack(">i", 0)))
 
@@ -69,11 +70,11 @@ def _name(word):
 
 
 def read(data):
-    """The Coin separator of what `written` made; on the window's thread."""
+    """Returns the Coin separator in the bytes of written(). For the window's thread."""
     from pivy import coin
 
     source = coin.SoInput()
     source.setBuffer(data)
     node = coin.SoDB.readAll(source)
-    node.renderCulling = node.ON  # what is not in the picture is not drawn
+    node.renderCulling = node.ON  # invisible parts are not rendered
     return node

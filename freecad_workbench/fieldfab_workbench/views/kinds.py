@@ -1,4 +1,4 @@
-"""The view provider of each kind of object."""
+"""View providers by the kind of object."""
 
 from .cam_view import OperationView, SetupView, ToolView
 from .part_shape_view import PartShapeView

@@ -1,4 +1,4 @@
-"""What colours mean, in a corner of the 3D view."""
+"""Legends for colours, in a corner of the 3D view."""
 
 import FreeCADGui
 
@@ -7,13 +7,13 @@ from ..deviations import colours
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
 
-LINE = 16  # pixels, of words
+LINE = 16  # height of a text line, pixels
 EDGE = 12
 STRIP = QtCore.QRect(14, 30, 260, 14)
 
 
 class Legend(QtWidgets.QWidget):
-    """A card in the left lower corner of a widget; clicks pass through it. `close()` takes it away."""
+    """A card in the lower left corner of a widget. Clicks pass through it. `close()` removes it."""
 
     def __init__(self, over, width, height):
         super().__init__(over)
@@ -41,13 +41,13 @@ class Legend(QtWidgets.QWidget):
         self.paint(painter)
 
     def paint(self, painter):
-        """Draws what is on the card."""
+        """Draws the contents of the card."""
         raise NotImplementedError
 
 
 class ReachLegend(Legend):
-    """A bar over the active 3D view, from `reach` at its top to -`reach` at its foot, mm. It shows the user's unit,
-    which replaces {unit} in the title."""
+    """A colour bar over the active 3D view, from `reach` mm at the top to -`reach` at the bottom. Numbers are in the
+    user's unit, which replaces {unit} in the title."""
 
     def __init__(self, title, reach):
         super().__init__(view_widget(), 150, 210)
@@ -71,7 +71,7 @@ class ReachLegend(Legend):
 
 
 class ColourLegend(Legend):
-    """A line for each colour, in the upper left corner. `entries`: (colour of three numbers from 0 to 1, words, whether
+    """A row for each colour, in the upper left corner. `entries`: (colour as three numbers from 0 to 1, text, whether
     the line is dashed)."""
 
     def __init__(self, over, entries):
@@ -94,7 +94,8 @@ class ColourLegend(Legend):
 
 
 class ScaleLegend(Legend):
-    """A strip of a simulation's colours. `scale`: gouge, excess and full, mm; `colour(deviation)`: red, green, blue."""
+    """A strip of the colours of deviations in a simulation. `scale`: gouge, excess and full, mm; `colour(deviation)`:
+    red, green, blue."""
 
     def __init__(self, over, scale, colour):
         super().__init__(over, STRIP.width() + 28, 78)
@@ -113,9 +114,9 @@ class ScaleLegend(Legend):
 
 
 def view_widget():
-    """The widget of the active 3D view."""
+    """Returns the widget of the active 3D view."""
     area = FreeCADGui.getMainWindow().centralWidget()
     window = area.activeSubWindow() or (area.subWindowList() or [None])[0]
     found = window.findChild(QtWidgets.QGraphicsView) or window
-    found.owners = (area, window)  # PySide calls a widget deleted once nothing in Python holds those above it
+    found.owners = (area, window)  # PySide treats a widget as deleted without Python references to its parents
     return found

@@ -1,4 +1,4 @@
-"""How a Part shape of a solid looks in FreeCAD."""
+"""View provider of a Part shape of a solid."""
 
 from .solid_view import SolidView
 
@@ -10,4 +10,4 @@ class PartShapeView(SolidView):
             view.ShapeColor = view.Object.Source.ViewObject.ShapeColor
 
     def claimChildren(self):
-        return []  # the solid goes on as it is
+        return []  # the solid stays at its own place in the tree

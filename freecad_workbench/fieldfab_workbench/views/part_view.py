@@ -1,4 +1,4 @@
-"""FreeCAD's 3D view of a document: what a playback needs of it."""
+"""Access to FreeCAD's 3D view of a document, for playback."""
 
 import FreeCADGui
 import numpy as np
@@ -6,19 +6,19 @@ from pivy import coin
 
 from ..shim import QtWidgets
 
-STILL = 4  # pixels that the pointer may move in a click
+STILL = 4  # greatest pointer movement during a click, pixels
 
 
 def is_there(thing):
-    """False of a document that was closed, and of an object that was deleted."""
+    """Returns False for a closed document or a deleted object."""
     try:
         return bool(thing.Name)
-    except (ReferenceError, RuntimeError):  # as FreeCAD says it
+    except (ReferenceError, RuntimeError):  # FreeCAD's errors for deleted objects
         return False
 
 
 class PartView:
-    """Shows a node in the active view of a document, looks at places, tells clicks as rays."""
+    """Shows nodes in the active view of a document, moves the camera, and converts clicks to rays."""
 
     def __init__(self, document):
         self.view = FreeCADGui.getDocument(document.Name).ActiveView
@@ -31,31 +31,31 @@ class PartView:
         self.view.getSceneGraph().removeChild(node)
 
     def widget(self):
-        """The widget that things can be laid over."""
+        """Returns the view's widget, to place other widgets over it."""
         wanted = self.view.getSize()
         seen = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QGraphicsView) if w.isVisible()]
         return min(seen, key=lambda w: abs(w.width() - wanted[0]) + abs(w.height() - wanted[1]))
 
     def fit(self):
-        """Brings everything into view, from above and aside."""
+        """Fits the view to everything, in isometric direction."""
         self.view.viewIsometric()
         self.view.fitAll()
 
     def look_at(self, place):
-        """Brings a place into the view's middle."""
+        """Moves the camera so that a point is in the view's centre."""
         camera = self.view.getCameraNode()
         ahead = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1))
         camera.position = coin.SbVec3f(*(float(v) for v in place)) - ahead * camera.focalDistance.getValue()
 
     def ray(self, x, y):
-        """Origin and direction of what lies below a pixel of the screen, counted from the lower left."""
+        """Returns origin and direction of the ray through a pixel, counted from the lower left."""
         width, height = self.view.getSize()
         near, far = (np.array(p.getValue())
                      for p in self._volume().projectPointToLine(coin.SbVec2f(x / width, y / height)))
         return near, (far - near) / np.linalg.norm(far - near)
 
     def pixel_of(self, place):
-        """Where a place is seen, pixels of the screen from the lower left."""
+        """Returns the pixel of a point, counted from the lower left."""
         width, height = self.view.getSize()
         seen = self._volume().projectToScreen(coin.SbVec3f(*(float(v) for v in place)))
         return seen[0] * width, seen[1] * height
@@ -68,8 +68,7 @@ class PartView:
         return volume
 
     def tell_clicks(self, function):
-        """Calls `function(origin, direction)` from now on at each click of the left button that drags nothing; None
-        ends this."""
+        """Calls `function(origin, direction)` at each left click that is not a drag. None ends this."""
         kind = coin.SoMouseButtonEvent.getClassTypeId()
         if self._clicked is not None:
             self.view.removeEventCallbackPivy(kind, self._callback)

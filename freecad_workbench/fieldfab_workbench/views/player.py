@@ -1,4 +1,4 @@
-"""Playing a simulation back beside the window: a thread makes the stock at the moment that is wanted last."""
+"""Playback of a simulation in the background: a thread computes the stock at the most recently requested time."""
 
 import threading
 
@@ -8,11 +8,11 @@ from .. import kernel
 from ..work import Task
 from .coin_fields import packed
 
-MOVING = 2  # blocks of so many cells are one while it moves
+MOVING = 2  # cells merged along each axis while playing
 
 
 class Frame:
-    """The stock at a moment. `pieces`: {index: (arrays, colours)} of what has changed since the last frame that was
+    """The stock at a time. `pieces`: {index: (arrays, colours)} of all pieces that have changed since the last frame
     taken."""
 
     def __init__(self, seconds, pieces, whole=None):
@@ -20,7 +20,7 @@ class Frame:
 
 
 class Player:
-    """Makes frames of an objects.simulation.Run. All methods are for the window's thread; none of them waits."""
+    """Makes frames of an objects.simulation.Run. All methods are for the window's thread and do not block."""
 
     def __init__(self, run):
         self.run, self.simulation = run, run.simulation
@@ -30,7 +30,7 @@ class Player:
         self.lines_of_cuts = self.simulation.lines_of_cuts
         self.tools_of_cuts = self.simulation.tools_of_cuts
         self._colour_of_cut = self._colours()
-        # `busy`: held while the playback goes to a moment
+        # `busy`: held while the playback computes a stock
         self._changed, self.busy = threading.Condition(), threading.Lock()
         self._wanted = self._frame = self._whole = None
         self.frames = 0
@@ -43,13 +43,13 @@ class Player:
         return packed(table)[np.clip(self.tools_of_cuts, 0, len(table) - 1)]
 
     def want(self, seconds, moving=False):
-        """Asks for the stock at a moment; a coarser picture of it while it moves."""
+        """Requests the stock at a time. `moving`: with coarser cells."""
         with self._changed:
             self._wanted = (min(max(seconds, 0.0), self.length), MOVING if moving else 1)
             self._changed.notify()
 
     def take(self):
-        """The newest Frame, once; None where there is no new one. Raises what went wrong with it."""
+        """Returns the newest Frame once, or None if there is no new one. Raises errors of the thread."""
         if not self.task.is_alive() and self.task.error is not None:
             self.task.outcome()
         with self._changed:
@@ -58,7 +58,7 @@ class Player:
 
     @property
     def idle(self):
-        """Whether nothing is wanted that has not been taken."""
+        """Returns whether there is neither a pending request nor a frame to take."""
         with self._changed:
             return self._wanted is None and self._frame is None
 
@@ -67,7 +67,7 @@ class Player:
         with self._changed:
             self._changed.notify()
 
-    # On the thread.
+    # Methods for the player's thread.
     def _work(self, progress):
         surface, coarse_now = kernel.load().stock.Surface(), {}
         while True:
@@ -80,7 +80,7 @@ class Player:
             with self.busy:
                 stock = self.playback.stock_at(seconds, progress=progress)
             changed = set(surface.update(stock, progress=progress))
-            # What was drawn coarsely while it moved is drawn finely once it stands.
+            # Pieces drawn coarsely during motion are refined at rest.
             changed |= {i for i, drawn in coarse_now.items() if drawn > coarse}
             indices = sorted(changed)
             pieces = {i: (arrays, self._colour_of_cut[arrays[3]])
@@ -88,7 +88,7 @@ class Player:
             coarse_now.update((i, coarse) for i in indices)
             whole = self._whole_surface() if seconds >= self.length and coarse == 1 else None
             with self._changed:
-                if self._frame is not None:  # not taken yet: it goes along with this one
+                if self._frame is not None:  # the previous frame was not taken: merge its pieces
                     pieces = {**self._frame.pieces, **pieces}
                 self._frame = Frame(seconds, pieces, whole)
                 self.frames += 1
@@ -96,24 +96,25 @@ class Player:
                     self._wanted = None
 
     def _whole_surface(self):
-        """The finished stock in the colours of its deviations, made once; None without a target."""
+        """Returns the finished stock coloured by its deviations, made once, or None without a target."""
         if self._whole is None and self.simulation.deviation_scale is not None:
             arrays = kernel.load().stock.to_draw(self.simulation.mesh)
             self._whole = (arrays, packed(self.simulation.colours))
         return self._whole
 
-    # Of the program.
+    # Data of the program.
     def at(self, seconds):
-        """What the machine does at a moment (fieldfab.stock.Playback.at)."""
+        """Returns the state of the machine at a time (fieldfab.stock.Playback.at)."""
         return self.playback.at(seconds)
 
     def tool_parts(self, move):
-        """{role: arrays} of a move's tool."""
+        """Returns {role: arrays} of a move's tool."""
         draw = kernel.load().stock.to_draw
         return {role: draw(self.playback.tool_mesh(move, role)) for role in ("cutting", "shank", "holder")}
 
     def ways(self):
-        """[(tool, None for rapids; points; how many each polyline has)]: where the tip goes, part coordinates."""
+        """Returns the paths of the tool tip in part coordinates: [(tool, or None for rapids; points; number of points
+        of each polyline)]."""
         if self._ways is None:
             way = [self.playback.poses(move)[:, :3] for move in range(len(self.ends))]
             rapid, tools = np.asarray(self.playback.rapid), np.asarray(self.playback.tools)
@@ -129,12 +130,12 @@ class Player:
     _ways = None
 
     def end_of_line(self, line):
-        """When the program has done a line, seconds."""
+        """Returns the time at which a line of the program ends, seconds."""
         done = self.playback.done_after_line(line)
         return float(self.ends[done - 1]) if done else 0.0
 
     def step(self, seconds, moves):
-        """The end of the move so many moves on."""
+        """Returns the end time of the move that is `moves` moves later, or earlier if negative."""
         here = int(np.searchsorted(self.ends, seconds + 1e-9, side="right"))
         if moves < 0:
             here = int(np.searchsorted(self.ends, seconds - 1e-9, side="left"))

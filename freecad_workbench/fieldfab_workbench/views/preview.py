@@ -1,5 +1,5 @@
-"""Preview of a solid, shown in its place while a panel is open: computed beside the window, coarse at once, then
-finer."""
+"""Preview of a solid while a panel is open. Meshes are computed in the background: first a coarse one, then finer
+ones."""
 
 import queue
 import re
@@ -17,14 +17,14 @@ from . import inventor
 from .part_view import is_there
 from .refinement import ANGLE, Refinement
 
-BUDGET = 0.06  # seconds that the first picture of a change may take
-TICK = 10  # ms between looks at what the thread has done
-REST = 0.15  # seconds without a change before finer meshes are begun
-STILL = 0.3  # seconds that the camera rests before the solid is refined for it
-FRAME = 0.05  # seconds that a picture may take to draw: as many triangles as that allows are shown
+BUDGET = 0.06  # seconds until the first picture after a change
+TICK = 10  # ms between checks of the thread
+REST = 0.15  # seconds without a change before finer meshes
+STILL = 0.3  # seconds without camera movement before refinement for the view
+FRAME = 0.05  # seconds to render a frame; limits the number of triangles
 LEAST, MOST = 25_000, 400_000
-PATIENCE = 3  # seconds that the solid's own mesh gets before the eye's wishes come first
-PIXELS = 3  # that a cell may fill
+PATIENCE = 3  # seconds for the final mesh before refinement for the view takes precedence
+PIXELS = 3  # largest size of a cell on the screen
 
 
 def _said(stage):
@@ -34,30 +34,30 @@ def _said(stage):
 
 
 class Preview:
-    """`show(source, settings)` is called whenever something has changed; the newest wins. `close()` gives the object
-    its own look back. `say(text, good)`, if given, gets the state: the error of a solid that cannot be made (the last
-    good one stays), or how fine the picture is."""
+    """`show(source, settings)` is called after each change; the newest wins. `close()` restores the object's display.
+    `say(text, good)`, if given, receives the state: the resolution of the picture, or the error of a solid that cannot
+    be made (the last valid picture stays)."""
 
-    most = 50_000  # triangles that are shown; all previews learn from how long drawing takes
+    most = 50_000  # displayed triangles; all previews adapt this to the rendering time
 
     def __init__(self, obj, say=None, form=None):
-        """`form`: the panel's widget; when it goes, however that happens, the preview goes."""
+        """`form`: the panel's widget. The preview closes when it is destroyed."""
         self.obj, self.say = obj, say or (lambda text, good: None)
         self.view = obj.ViewObject
         self.cells, self.guess = 20, self._bounds_of_object()
-        self._faces_first = False  # whether the solid's own faces were made within the first picture's time
+        self._faces_first = False  # whether the exact faces are fast enough for the first picture
         self._seen = obj.MadeFrom if obj.isValid() else None
-        # For tests: how far the picture is; seconds from the last change to its first picture.
+        # For tests: stage of the picture; seconds from the last change to its first picture.
         self.stage, self.latency = "", None
         self._wanted, self._changed, self._began = None, 0.0, 0.0
         self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
-        self._paused = None  # what goes on after a pause
-        # Whether the first mesh of a change is on its way; since when all is as fine as can be shown.
+        self._paused = None  # (source, settings) to continue with after a pause
+        # Whether the first mesh of a change is pending; time since which the picture has its final resolution.
         self._coarse, self._ready = False, None
-        self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
+        self._waiting, self._assembly, self._piece = [], None, None  # pending pictures; nodes of the first one
         self._drawing, self._undrawn, self._triangles = None, False, 0
-        self._unseen = self.guess is None  # a new solid, which is nowhere in the picture yet
-        self._doubt = ""  # about the solid's own mesh
+        self._unseen = self.guess is None  # a new solid without any picture yet
+        self._doubt = ""  # doubt about the final mesh, see certainty.doubt_of()
         self._eye, self._eye_moved, self._refined_for = None, 0.0, None
         self._put_in_place()
         self._timer = QtCore.QTimer()
@@ -67,8 +67,8 @@ class Preview:
             form.destroyed.connect(self.close)
 
     def show(self, source, settings):
-        """Starts at once, unless this is shown already. A first mesh on its way is finished, so that a slider that
-        moves always shows something."""
+        """Starts at once, unless the same solid is shown already. A pending first mesh is finished, so that a moving
+        slider always shows a picture."""
         key = key_of(source, settings)
         if key == self._seen:
             return
@@ -77,8 +77,8 @@ class Preview:
         self._look()
 
     def pause(self, on):
-        """While paused the picture stays as it is, and nothing is computed before the next change. A complete picture
-        stays."""
+        """Pauses: the picture stays, and nothing is computed. Work continues after the pause, except for a complete
+        picture."""
         if on:
             complete = self.stage in ("final", "detail") and self._wanted is None
             self._stop()
@@ -98,7 +98,7 @@ class Preview:
             if self._own.whichChild.getValue() < 0:
                 self._own.whichChild = self._own_child
         except (ReferenceError, RuntimeError, AttributeError):
-            pass  # the object is gone, and what it looked like with it
+            pass  # the object was deleted together with its view
 
     # Coin.
     def _put_in_place(self):
@@ -116,7 +116,7 @@ class Preview:
         for node in (pick, material, hints, before, self._solid, after):
             self._root.addChild(node)
         self.view.RootNode.addChild(self._root)
-        # The switch between an object's display modes; -1 shows none.
+        # Switch between an object's display modes; -1 hides all.
         self._own = next(node for node in self.view.RootNode.getChildren() if isinstance(node, coin.SoSwitch))
         self._own_child = self._own.whichChild.getValue()
 
@@ -124,15 +124,15 @@ class Preview:
         from pivy import coin
 
         if action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
-            coin.SoCacheElement.invalidate(action.getState())  # else Coin would draw from a cache, without telling us
+            coin.SoCacheElement.invalidate(action.getState())  # otherwise Coin would render from a cache
             self._drawing = self._drawing or time.monotonic()
 
     def _end_drawing(self):
         if self._drawing is not None:
-            QtCore.QTimer.singleShot(0, self._learn)  # once the picture is on the screen
+            QtCore.QTimer.singleShot(0, self._learn)  # after the frame is on the screen
 
     def _learn(self):
-        """Takes from how long the picture took how many triangles a picture may have."""
+        """Adapts the number of triangles to the rendering time of the frame."""
         if self._drawing is None or self._refinement is None:
             return
         now, shown = time.monotonic(), self._triangles
@@ -152,7 +152,7 @@ class Preview:
         box = mesh.BoundBox
         return (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)
 
-    # The window's side: everything here is done within a few ms.
+    # Methods for the window's thread. Each takes a few ms at most.
     def _look(self):
         if not is_there(self.obj):
             self.close()
@@ -169,7 +169,7 @@ class Preview:
             self._start(self._whole)
         elif self._needs_detail():
             self._task.cancel()
-            if not self._task.is_alive():  # parts of a solid are refined by one thread at a time
+            if not self._task.is_alive():  # a Refinement is for one thread at a time
                 self._stop()
                 self._refined_for = self._eye
                 self._start(self._detail)
@@ -188,7 +188,7 @@ class Preview:
                     said.put(step)
             except work.Cancelled:
                 pass
-            except Exception as error:  # the window stays, whatever a solid does
+            except Exception as error:  # errors of any kind go to the panel
                 if getattr(error, "kind", "") != "cancelled":
                     said.put(("failed", str(error)))
 
@@ -212,7 +212,7 @@ class Preview:
                 self._waiting.append((stage, given))
 
     def _assemble(self):
-        """Takes pieces into the scene for a few milliseconds; those of a whole solid come to light together."""
+        """Adds pieces to the scene for a few milliseconds. The pieces of a whole solid become visible together."""
         from pivy import coin
 
         end = time.monotonic() + 0.008
@@ -231,7 +231,7 @@ class Preview:
                 self._come_to_light(stage)
 
     def _add(self, piece, picture):
-        """Adds a piece that is complete, or puts it in the place of the one of that name."""
+        """Adds a complete piece, or replaces the piece with the same name."""
         from pivy import coin
 
         del picture[piece]
@@ -270,8 +270,8 @@ class Preview:
             self._eye, self._eye_moved = eye, time.monotonic()
 
     def _find_eye(self):
-        """Place of the camera in the object's own coordinates. For a camera without perspective, the place from which
-        one with perspective would see as much. None: no view."""
+        """Returns the camera's position in the object's own coordinates. For an orthographic camera, returns the
+        equivalent position of a perspective camera. None without a view."""
         try:
             view = FreeCADGui.getDocument(self.obj.Document.Name).ActiveView
             camera, height = view.getCameraNode(), view.getSize()[1]
@@ -290,7 +290,7 @@ class Preview:
         return (ready and still and self._refined_for != self._eye
                 and (self._refinement.in_blocks or self._refinement.is_coarse_for(self._eye)))
 
-    # The thread's side.
+    # Jobs for the background thread.
     @staticmethod
     def _whole(refinement, eye, progress):
         yield "coarse", refinement.coarse(progress)
@@ -314,7 +314,7 @@ class Preview:
                 yield "divided", refinement.divided(progress)
             for pieces in refinement.detail(eye, progress):
                 yield "detail", pieces
-            mesh = refinement.source.mesh(progress, **refinement.settings)  # it will be asked for
+            mesh = refinement.source.mesh(progress, **refinement.settings)  # the recompute will need it
             yield "doubt", doubt_of(mesh)
             if not refinement.suffices(mesh, eye):
                 return

@@ -1,4 +1,4 @@
-"""The ways of the tool in the 3D view: rapids dashed, cuts in a colour for each operation."""
+"""Tool paths in the 3D view: rapids dashed, cuts in a colour for each operation."""
 
 from pivy import coin
 
@@ -14,7 +14,7 @@ RAPID_COLOUR = (0.85, 0.15, 0.12)
 class ProgramView(DocumentView):
     def scene(self):
         root, pick = coin.SoSeparator(), coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE  # a million lines under the mouse would be slow
+        pick.style = coin.SoPickStyle.UNPICKABLE  # picking among a million lines would be slow
         self.moved, self.lines = coin.SoTranslation(), coin.SoSeparator()
         for node in (pick, self.moved, self.lines):
             root.addChild(node)
@@ -22,7 +22,7 @@ class ProgramView(DocumentView):
         return root
 
     def updateData(self, obj, name):
-        back_in_time = obj.Document.Restoring or obj.Document.Transacting  # its properties come in any order then
+        back_in_time = obj.Document.Restoring or obj.Document.Transacting  # properties then change in any order
         if (hasattr(self, "lines")
                 and (name == "MadeFrom" or back_in_time and name in ("PackedMoves", "Sections", "Zero"))):
             self.draw()
@@ -32,7 +32,7 @@ class ProgramView(DocumentView):
             self.draw()
 
     def draw(self):
-        """Draws the ways that the object holds; nothing while its properties are still being read."""
+        """Draws the object's paths, or none before all properties are restored."""
         self.lines.removeAllChildren()
         obj = self.Object
         if any(not getattr(obj, name, "") for name in ("MadeFrom", "PackedMoves", "Sections")):
@@ -50,7 +50,7 @@ class ProgramView(DocumentView):
 
 
 def lines(points, counts, colour, width, pattern=0xFFFF):
-    """Polylines as a Coin node; `counts`: points of each."""
+    """Returns polylines as a Coin node. `counts`: number of points of each."""
     node, base, style = coin.SoSeparator(), coin.SoBaseColor(), coin.SoDrawStyle()
     base.rgb = colour
     style.lineWidth, style.linePattern = width, pattern

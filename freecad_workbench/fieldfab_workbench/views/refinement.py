@@ -1,5 +1,4 @@
-"""Meshes of a solid for viewing: coarse within a moment, then finer, then finest where the eye is. Nothing here needs a
-window."""
+"""Progressive meshes of a solid for display: coarse at once, then finer, then finest near the eye. Needs no window."""
 
 import numpy as np
 
@@ -8,40 +7,40 @@ from ..certainty import doubt_of
 from ..sources import with_cell
 from . import inventor
 
-ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
-CELLS = 32  # along each side of a block, which is refined by itself
+ANGLE = 0.004  # radians; largest visual angle of a cell, about three pixels
+CELLS = 32  # along each side of a block; blocks are refined separately
 BLOCKS = 4  # most blocks along an axis
-# How many times the triangles of a whole solid may be made where the eye is: most of them are then out of the picture.
+# Multiple of the triangle limit allowed near the eye, where most triangles are outside of the picture.
 NEAR = 4
-PIECE = 10_000  # triangles of a piece
-MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are looked for again
+PIECE = 10_000  # most triangles of a piece
+MARGIN = 1 / 8  # growth of a solid, relative to its size, that does not require new bounds
 
 
 class Refinement:
-    """Refines one solid from coarse to fine; one thread at a time may use it. Pictures are {piece: [bytes of a binary
-    Inventor file, ...]}; no piece takes long to be added to the scene. Methods raise fieldfab.Error and
+    """Meshes one solid from coarse to fine. For one thread at a time. Pictures are {piece: [bytes of a binary Inventor
+    file, ...]}; a piece is small enough to be added to the scene quickly. Methods raise fieldfab.Error and
     work.Cancelled."""
 
     def __init__(self, source, settings, guess=None, cells=20, most=100_000, faces_first=False):
-        """`settings`: those of source.mesh(), as the solid will be made. `guess`: bounds that the solid may have, (x0,
-        y0, z0, x1, y1, z1), mm. `cells`: those of the first mesh, along its longest side. `most`: how many triangles
-        can be shown. `faces_first`: whether the solid's own faces, where it has them, are made first."""
+        """`settings`: those of source.mesh() for the final mesh. `guess`: expected bounds of the solid, (x0, y0, z0,
+        x1, y1, z1), mm. `cells`: cells of the first mesh along its longest side. `most`: limit of displayed triangles.
+        `faces_first`: whether to start with the solid's exact faces, if it has them."""
         self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = (
             source, settings, guess, cells, most, faces_first)
-        self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
-        self._cell = None, None  # a region, and the smallest cell in it
-        self.extent = guess  # of the solid, as far as it is known
-        # Whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too.
+        self.region, self.voxel, self.triangles = None, None, 0  # of the last mesh
+        self._cell = None, None  # (region, edge of the smallest cell in it)
+        self.extent = guess  # known bounds of the solid
+        # Whether the final mesh was made: then features are found quickly in blocks, too.
         self.sharp = False
-        self.doubt = ""  # where the solid's own mesh may lack parts, once it has been made
-        self.exact = False  # whether the solid's own faces are there, and nothing finer can be had
-        self.in_blocks = False  # whether the last picture was one of blocks
-        self.details, self.shown = {}, {}  # of each block: its DetailMesh, and how many triangles of that are shown
+        self.doubt = ""  # doubt about the final mesh after it was made, see certainty.doubt_of()
+        self.exact = False  # whether the mesh consists of the exact faces, so that no refinement is needed
+        self.in_blocks = False  # whether the last picture consists of blocks
+        self.details, self.shown = {}, {}  # {block: DetailMesh}, {block: displayed triangles}
 
     # The whole solid.
     def coarse(self, progress):
-        """The first mesh, within the guess where the guess contains the solid: a search for its bounds would take
-        longer than the mesh."""
+        """Returns the first mesh. It is made within the guess if this contains the solid, since a search for the bounds
+        would take longer than the mesh."""
         if self.faces_first and (mesh := self._faces(progress)) is not None:
             return self._picture(mesh, progress)
         mesh = self._in_the_guess(progress) if self.guess and "bounds" not in self.settings else None
@@ -52,8 +51,8 @@ class Refinement:
         return self._picture(mesh, progress)
 
     def finer(self, progress):
-        """Yields meshes of smaller and smaller cells, down to the solid's own cells or to as many triangles as can be
-        shown; none where final() has its faces."""
+        """Yields meshes with decreasing cells, down to the final mesh's cells or to the limit of triangles. None if
+        final() has exact faces."""
         if self._faces(progress) is not None:
             return
         wanted = self._wanted()
@@ -63,8 +62,8 @@ class Refinement:
             yield self._picture(mesh, progress)
 
     def final(self, progress):
-        """Makes the solid's own mesh, which its source keeps. Yields the mesh, or as much of its detail as can be
-        shown."""
+        """Makes the final mesh, which the source caches. Yields the mesh, or coarser ones if it exceeds the limit of
+        triangles and the picture is out of date."""
         mesh = self._faces(progress)
         if mesh is None:
             mesh = self.source.mesh(progress, **self.settings)
@@ -73,33 +72,34 @@ class Refinement:
         if len(mesh.triangles) <= self.most:
             self.voxel, self.triangles = self._wanted(), len(mesh.triangles)
             yield self._picture(mesh, progress)
-        # Parts outside of the guess were not seen, or blocks have to be replaced.
+        # Parts outside of the guess are missing in the picture, or blocks must be replaced.
         elif self._fit_region(mesh) or blocks_are_shown:
             self.voxel, self.triangles = self._longest() / self.cells, 0
             yield from self.finer(progress)
 
-    # Where the eye is (Keeter, 4.3.3).
+    # Refinement near the eye (Keeter, 4.3.3).
     def is_coarse_for(self, eye):
         return not self.exact and any(self._is_coarse(block, eye, self.voxel) for block in self._blocks())
 
     def suffices(self, mesh, eye):
-        """Whether the solid's own mesh can be shown, and is fine enough for the eye."""
+        """Returns whether the final mesh is within the limit of triangles, and fine enough for the eye."""
         return (len(mesh.triangles) <= self.most
                 and not any(self._is_coarse(block, eye, self._wanted()) for block in self._blocks()))
 
     def divided(self, progress):
-        """The solid as fine as it is shown, in blocks (i, j, k), each of which can be replaced by a finer one."""
+        """Returns the solid at the displayed resolution in blocks (i, j, k), which can be replaced separately by finer
+        ones."""
         self.in_blocks, self.shown = True, {}
         return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)],
                                       progress) for block in self._blocks()}
 
     def detail(self, eye, progress):
-        """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are
-        as many triangles as can be shown. Blocks begin about as fine as the solid's own mesh: in coarser cells, sharp
-        edges of a solid that is thinner than the cells would take long to find."""
+        """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or the limit
+        of triangles is reached. Blocks begin with about the final mesh's cells: the search for features is slow in
+        cells that are larger than the solid's thickness."""
         cell, near = (self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye, self.voxel)),
                                              key=lambda b: self._distance(b, eye)))
-        for block in list(self.shown):  # what another eye wanted may be finer than this one needs
+        for block in list(self.shown):  # detail for a previous eye may be too fine for this one
             yield self._shown(block, eye, progress)
         pieces = 0
         for block in near if self.voxel > cell else ():
@@ -125,7 +125,7 @@ class Refinement:
                                                            most_triangles=self.most)
         return self.details[block]
 
-    # Steps of these.
+    # Steps of the methods above.
     @property
     def field(self):
         return self.source.field()
@@ -134,12 +134,12 @@ class Refinement:
         if "bounds" in self.settings:
             return np.array(self.settings["bounds"], float)
         found = self.source.field(progress).bounds()
-        if found is None:  # the mesher says what is wrong with it
+        if found is None:  # raises the mesher's error for an unbounded or empty solid
             kernel.load().mesh(self.field, voxel=1e3, progress=progress)
         return np.array(found, float)
 
     def _in_the_guess(self, progress):
-        """A mesh in the guess, or where that cuts the solid, in larger boxes; None where it does not help."""
+        """Returns a mesh within the guess, or within larger boxes if the guess cuts the solid; None if this fails."""
         self.source.field(progress)
         low, high = np.array(self.guess[:3], float), np.array(self.guess[3:], float)
         for _ in range(4):
@@ -159,7 +159,8 @@ class Refinement:
         return None
 
     def _faces(self, progress):
-        """A mesh of the solid's own faces, where it has them, and as few as can be shown; else None."""
+        """Returns a mesh of the solid's exact faces if it has them and they are within the limit of triangles;
+        otherwise None."""
         mesh = None if "bounds" in self.settings else self.source.faces(progress)
         if mesh is None or len(mesh.triangles) > self.most:
             return None
@@ -169,7 +170,7 @@ class Refinement:
         return mesh
 
     def _first_mesh(self, progress):
-        """Of few cells; of more, where a solid is thinner than these."""
+        """Returns a mesh with few cells, or with smaller ones if the solid is too thin for these."""
         mesh = self._mesh(self._longest() / self.cells, progress)
         return mesh if len(mesh.triangles) else self._mesh(self._longest() / self.cells / 4, progress)
 
@@ -180,26 +181,26 @@ class Refinement:
         return mesh
 
     def _meshed(self, box, cell, progress):
-        """Mesh of a box. Sharp edges take long, and very long in cells larger than the solid is thick. Without sharp
-        edges all cells are kept, since merged cells would cut corners. Parts thinner than the cells wait for the
-        solid's own mesh."""
+        """Returns the mesh of a box. Features are slow to find, especially in cells larger than the solid's thickness,
+        so they are searched only in fine cells. Without them cells are not merged, since merged cells would cut
+        corners. Parts thinner than the cells appear only in the final mesh."""
         sharp = self.sharp and cell <= 1.01 * self._wanted()
         return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp,
                                   depth=0, progress=progress)
 
     def _fit_region(self, mesh):
-        """Fits the region to a mesh, unless it is given; True where it became larger."""
+        """Fits the region to a mesh, unless it is given by the settings. Returns whether it grew."""
         if "bounds" in self.settings or len(mesh.triangles) == 0:
             return False
         before, (first, last) = self.region, extent(mesh)
-        self.details, self.shown = {}, {}  # their blocks are no longer these
+        self.details, self.shown = {}, {}  # invalid, since the blocks have changed
         self.extent, self.region = (*first, *last), np.concatenate([first - self.voxel, last + self.voxel])
         return bool((self.region[:3] < before[:3] - self.voxel).any()
                     or (self.region[3:] > before[3:] + self.voxel).any())
 
     def _wanted(self):
-        """Edge of the smallest cell of the solid's own mesh, mm. The window asks often: it is computed once for each
-        region."""
+        """Returns the edge of the final mesh's smallest cell, mm. Cached for each region, since the window needs it
+        often."""
         region = tuple(self.region)
         if self._cell[0] != region:
             self._cell = (region, with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings,
@@ -211,15 +212,15 @@ class Refinement:
 
     # Blocks.
     def _grid(self):
-        """How many blocks there are along x, y and z."""
+        """Returns the number of blocks along x, y and z."""
         return np.clip(np.ceil((self.region[3:] - self.region[:3]) / (CELLS * self._wanted())), 1, BLOCKS).astype(int)
 
     def _blocks(self):
         return list(np.ndindex(*self._grid())) if self.voxel else []
 
     def _box(self, block, reach=0.0):
-        """Bounds (x0, y0, z0, x1, y1, z1) of a block. Inside the solid it may reach into its neighbours, so that no gap
-        shows."""
+        """Returns the bounds (x0, y0, z0, x1, y1, z1) of a block, enlarged by `reach` into neighbouring blocks, so that
+        no gaps are visible."""
         grid, place = self._grid(), np.array(block)
         size = (self.region[3:] - self.region[:3]) / grid
         lower = self.region[:3] + place * size
@@ -233,8 +234,8 @@ class Refinement:
         return cell > ANGLE * max(self._distance(block, eye), cell)
 
     def _of_block(self, block, cell, make, progress):
-        """Joins the meshes that `make` makes of a block's box, without the triangles that close them where the block
-        ends and the solid goes on."""
+        """Joins the meshes that `make` makes of a block's box. Removes the triangles that close them at the borders to
+        neighbouring blocks."""
         box, place, grid = self._box(block, cell), np.array(block), self._grid()
         vertices, triangles = joined(make(box))
         for axis in range(3):
@@ -248,7 +249,7 @@ class Refinement:
         return {"whole": self._written(mesh.vertices, mesh.triangles, progress)}
 
     def _written(self, vertices, triangles, progress):
-        """A mesh as several Inventor files."""
+        """Returns a mesh as several Inventor files."""
         return [self._piece(*compacted(vertices, triangles[first:first + PIECE]), progress)
                 for first in range(0, len(triangles), PIECE)]
 
@@ -262,18 +263,18 @@ class Refinement:
 
 
 def extent(mesh):
-    """The lower and the upper corner of its vertices."""
+    """Returns the lower and the upper corner of a mesh's vertices."""
     return mesh.vertices.min(axis=0).astype(float), mesh.vertices.max(axis=0).astype(float)
 
 
 def compacted(vertices, triangles):
-    """These triangles with only the vertices that they have."""
+    """Returns the used vertices, and the triangles with indices into these."""
     used, places = np.unique(triangles, return_inverse=True)
     return vertices[used], places.reshape(-1, 3).astype(np.int32)
 
 
 def joined(meshes):
-    """Vertices and triangles of several meshes as one."""
+    """Returns vertices and triangles of several meshes as one mesh."""
     first = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])
     vertices = [np.empty((0, 3), np.float32)] + [mesh.vertices for mesh in meshes]
     triangles = [np.empty((0, 3), np.int32)] + [mesh.triangles.astype(np.int32) + n for mesh, n in zip(meshes, first)]

@@ -1,4 +1,5 @@
-"""A plane that cuts what a 3D view shows, so that the inside of solids is seen. The cut faces are one flat colour."""
+"""Section plane that cuts the contents of a 3D view, so that the inside of solids is visible. The cut faces have one
+flat colour."""
 
 import FreeCAD
 import FreeCADGui
@@ -10,18 +11,18 @@ from .part_view import is_there
 
 CAP_COLOUR = (0.96, 0.66, 0.28)
 FRAME_COLOUR = (0.75, 0.35, 0.05)
-STOCK = "Fieldfab_stock"  # the name of the node of a played simulation
-TICK = 300  # ms between looks at what is there
-HANDLE = 0.12  # size of the handle, of the diagonal of what is seen
+STOCK = "Fieldfab_stock"  # name of a playback's node
+TICK = 300  # ms between checks for new nodes
+HANDLE = 0.12  # size of the handle relative to the scene's diagonal
 
 
 class Section:
-    """Cuts all that a document's active view shows, across the axis that points most to the viewer. The plane is in the
-    middle at first; a handle moves it.
+    """Cuts the contents of a document's active view with a plane across the axis that points most towards the viewer.
+    The plane starts in the middle; a handle moves it.
 
-    Where a closed surface is cut, its back faces are visible exactly where the plane is inside the solid. They are
-    drawn apart from the front faces, without light: that is the cut face, also of previews and of a stock while it is
-    cut. `close()` leaves the view as it was. Raises ValueError where nothing is visible."""
+    In the cut of a closed surface, its back faces are visible exactly where the plane is inside the solid. They are
+    rendered separately from the front faces and without lighting, as the cut face. This also works for previews and for
+    a stock during playback. `close()` restores the view. Raises ValueError if no solid is visible."""
 
     def __init__(self, document):
         self._document, self._view = document, FreeCADGui.getDocument(document.Name).ActiveView
@@ -37,7 +38,7 @@ class Section:
         self._front = _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.COUNTERCLOCKWISE,
                                   shapeType=coin.SoShapeHints.SOLID)
         self._front.creaseAngle.setIgnored(True)
-        # The handle comes before the plane, which cuts all that follows.
+        # The handle precedes the plane, which cuts all nodes after it.
         for place, node in enumerate((self._nodes, self._clip)):
             self._scene.insertChild(node, place)
         self._scene.addChild(self._caps)
@@ -51,7 +52,7 @@ class Section:
 
     @property
     def offset(self):
-        """How far the plane is from the middle, mm, towards the viewer."""
+        """Distance of the plane from the middle towards the viewer, mm."""
         return self.dragger.translation.getValue()[0] * self._size
 
     def close(self):
@@ -66,7 +67,7 @@ class Section:
         self._clip.plane = coin.SbPlane(coin.SbVec3f(*(-self.normal)), coin.SbVec3f(*at))
 
     def _look(self):
-        """Follows what comes and goes."""
+        """Adapts to added and removed nodes."""
         if not is_there(self._document):
             self._timer.stop()
             self._sensor.detach()
@@ -76,7 +77,8 @@ class Section:
             self._take(wanted)
 
     def _take(self, wanted):
-        """Each of these shows its front faces in its own place, and its back faces among the cut faces."""
+        """Sets the nodes to cut. Each renders its front faces at its own place in the scene, and its back faces among
+        the cut faces."""
         for node in self._solids.getChildren() or ():
             node.removeChild(self._front)
         self._solids.removeAllChildren()
@@ -85,7 +87,7 @@ class Section:
             self._solids.addChild(node)
 
     def _wanted(self):
-        """The nodes of all that bounds solids."""
+        """Returns the nodes of everything that bounds solids."""
         meshes = [obj.ViewObject.RootNode for obj in self._document.Objects if hasattr(obj, "Mesh")]
         return meshes + [node for node in self._scene.getChildren() if node.getName().getString() == STOCK]
 
@@ -101,7 +103,7 @@ class Section:
 
     # Coin.
     def _handle(self, axis, lower, upper):
-        """A dragger along the normal, and the plane's frame, which follows it."""
+        """Returns a dragger along the normal, and the plane's outline, which follows it."""
         size = upper - lower
         self._size = HANDLE * size.Length
         root, place, scale, follow = coin.SoSeparator(), coin.SoTransform(), coin.SoScale(), coin.SoTranslation()
@@ -126,7 +128,7 @@ class Section:
 
     @staticmethod
     def _caps_node():
-        """Draws back faces alone, in one colour, and no lines; nothing in it can be picked."""
+        """Returns a node that renders only back faces, in one colour and without lines. It cannot be picked."""
         root = coin.SoSeparator()
         for node in (
             _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.CLOCKWISE,
@@ -142,7 +144,7 @@ class Section:
 
 
 def _overriding(kind, **fields):
-    """A node that counts more than those of its kind that follow."""
+    """Returns a node that overrides later nodes of its kind."""
     node = kind()
     for name, value in fields.items():
         setattr(node, name, value)
@@ -154,13 +156,13 @@ _sections = []
 
 
 def section_of(document):
-    """The Section of a document; None where there is none."""
+    """Returns the Section of a document, or None."""
     _sections[:] = [each for each in _sections if is_there(each._document)]
     return next((each for each in _sections if each._document == document), None)
 
 
 def toggle(document):
-    """Cuts what a document's view shows, or ends that. Raises ValueError where nothing is seen."""
+    """Adds a section to a document's view, or removes it. Raises ValueError if no solid is visible."""
     if shown := section_of(document):
         _sections.remove(shown)
         shown.close()

@@ -1,4 +1,4 @@
-"""How a solid looks in FreeCAD: its icon, its colour, its place in the tree, its task panel."""
+"""View provider of solids: icon, colour, children in the tree, and task panel."""
 
 import FreeCAD
 import FreeCADGui
@@ -12,7 +12,7 @@ from .uncertain_places import UncertainPlaces
 
 
 class ObjectView:
-    """View provider of any of our objects: its icon, and its panel on a double click."""
+    """View provider of any Fieldfab object: its icon, and its panel on a double click."""
 
     def __init__(self, view):
         view.Proxy = self
@@ -52,7 +52,7 @@ class SolidView(ObjectView):
         super().__init__(view)
         view.ShapeColor = preferences.colour()
         view.Lighting = "Two side"
-        view.CreaseAngle = 30.0  # smooth where the solid is, sharp where it is not
+        view.CreaseAngle = 30.0  # degrees; smooth shading except at sharp edges
 
     def updateData(self, obj, name):
         if name == "Operation":
@@ -60,14 +60,14 @@ class SolidView(ObjectView):
         elif name == "UncertainPlaces" and self.shows_places():
             self.show_places(obj)
 
-    # The places where the mesh may lack parts of the solid.
+    # UncertainPlaces while they are displayed.
     _places = None
 
     def shows_places(self):
         return self._places is not None
 
     def show_places(self, obj):
-        """Shows them as they are now; where there are none, nothing."""
+        """Shows the current uncertain places, if there are any."""
         self.hide_places()
         if uncertain_places(obj) and obj.ViewObject.Visibility:
             self._places = UncertainPlaces(obj)
@@ -93,15 +93,15 @@ class SolidView(ObjectView):
         return sources_of(self.Object)
 
     def onDelete(self, view, subelements):
-        """What a solid was made of is seen again once it is gone."""
+        """Shows the solid's sources again."""
         for source in sources_of(view.Object):
             source.ViewObject.Visibility = True
         return True
 
 
 def make_mesh_later(obj):
-    """Makes the mesh of a solid that becomes visible, if it had none while it was hidden. This waits until the change
-    of visibility is done."""
+    """Makes the mesh of a solid that becomes visible, if its mesh was postponed. Runs after the change of visibility is
+    complete."""
     document, name = obj.Document.Name, obj.Name
 
     def make():
@@ -127,6 +127,6 @@ def make_mesh_later(obj):
 
 
 def sources_of(obj):
-    """The objects that a solid is made of."""
+    """Returns the objects from which a solid is made."""
     listed = list(getattr(obj, "Sources", None) or [])
     return listed or [source for source in [getattr(obj, "Source", None)] if source is not None]

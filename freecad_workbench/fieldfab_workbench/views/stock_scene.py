@@ -1,4 +1,4 @@
-"""What a simulation shows in the 3D view: the stock in pieces, the tool, the place that is looked at."""
+"""Scene of a playback in the 3D view: the stock in pieces, the tool, and a marked point."""
 
 import numpy as np
 from pivy import coin
@@ -12,10 +12,10 @@ MARK_COLOUR = (0.90, 0.10, 0.35)
 
 
 class Surface:
-    """One face set with a colour a vertex."""
+    """A face set with a colour for each vertex."""
 
     def __init__(self):
-        self.arrays = None  # what it shows: vertices, normals, corners, cuts
+        self.arrays = None  # displayed vertices, normals, corners, cuts
         self.node = coin.SoSeparator()
         self.look, self.faces = coin.SoVertexProperty(), coin.SoIndexedFaceSet()
         self.look.normalBinding = self.look.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
@@ -31,7 +31,8 @@ class Surface:
 
 
 class StockScene:
-    """`root` belongs into a scene graph. Everything is in part coordinates, which `turn` takes to the machine's."""
+    """`root` is a node for a scene graph. Everything is in part coordinates; `turn` transforms them to the
+    machine's."""
 
     def __init__(self):
         self.root, self.turn = coin.SoSeparator(), coin.SoMatrixTransform()
@@ -52,7 +53,8 @@ class StockScene:
         self.stock.whichChild, self.tool.whichChild, self.mark.whichChild = 0, -3, -1
 
     def _stock_node(self):
-        """A hair behind where it is, so that the part, or a path in the same place, is seen as a whole before it."""
+        """Returns the stock's node with a small depth offset, so that coincident parts and paths are visible in front
+        of it."""
         behind, group = coin.SoPolygonOffset(), coin.SoSeparator()
         behind.factor, behind.units = 1.0, 1.0
         self.stock_shown = coin.SoSwitch()
@@ -73,7 +75,7 @@ class StockScene:
         self.tool_group = coin.SoSeparator()
         self.tool_group.addChild(self.tool_place)
         edges = self._hints()
-        edges.creaseAngle = 0.6  # round along the way round, sharp at edges
+        edges.creaseAngle = 0.6  # smooth around the axis, sharp at edges
         self.tool_group.addChild(edges)
         for role, (colour, transparency) in TOOL_LOOKS.items():
             part, material, points, faces = (
@@ -91,7 +93,7 @@ class StockScene:
         return self.tool
 
     def _mark_node(self):
-        group, material = coin.SoAnnotation(), coin.SoMaterial()  # seen through whatever is before it
+        group, material = coin.SoAnnotation(), coin.SoMaterial()  # visible through other objects
         material.diffuseColor, material.emissiveColor, material.transparency = MARK_COLOUR, MARK_COLOUR, 0.35
         for node in (self.mark_place, material, self.mark_size):
             group.addChild(node)
@@ -99,7 +101,7 @@ class StockScene:
         return self.mark
 
     def show_pieces(self, pieces):
-        """`pieces`: {index: (arrays, colours)} of those that have changed."""
+        """Updates changed pieces: {index: (arrays, colours)}."""
         for index, (arrays, colours) in pieces.items():
             if index not in self.pieces:
                 self.pieces[index] = Surface()
@@ -108,13 +110,13 @@ class StockScene:
         self.stock.whichChild = 0
 
     def show_whole(self, arrays=None, colours=None):
-        """The finished stock as one surface; what was given last where nothing is given."""
+        """Shows the finished stock as one surface. Without arguments, shows the surface of the last call."""
         if arrays is not None:
             self.whole.show(arrays, colours)
         self.stock.whichChild = 1
 
     def show_tool(self, parts):
-        """`parts`: {role: arrays}, the tip at the origin, the axis along z."""
+        """Sets the tool's parts: {role: arrays}, with the tip at the origin and the axis along z."""
         for role, (vertices, _, corners) in parts.items():
             _, points, faces = self.tool_parts[role]
             fill(points.point, vertices)
@@ -131,7 +133,7 @@ class StockScene:
         self.stock_shown.whichChild = -3 if seen else -1
 
     def show_paths(self, nodes=()):
-        """Lines, Coin nodes; none hide what is there."""
+        """Shows paths as Coin nodes. Without nodes, hides the paths."""
         if nodes:
             self.paths.removeAllChildren()
             for node in nodes:
@@ -139,17 +141,17 @@ class StockScene:
         self.paths.whichChild = -3 if nodes else -1
 
     def set_turn(self, matrix):
-        """The (4, 4) matrix from part coordinates to the machine's."""
-        self.turn.matrix = coin.SbMatrix(*(float(v) for v in np.asarray(matrix).T.reshape(-1)))  # Coin multiplies rows
+        """Sets the (4, 4) matrix from part to machine coordinates."""
+        self.turn.matrix = coin.SbMatrix(*(float(v) for v in np.asarray(matrix).T.reshape(-1)))  # Coin uses row vectors
 
     def set_mark(self, place=None, size=1.0):
-        """Marks a place, part coordinates; none without one."""
+        """Marks a point in part coordinates. None removes the mark."""
         if place is not None:
             self.mark_place.translation, self.mark_size.radius = tuple(place), size
         self.mark.whichChild = -1 if place is None else 0
 
     def cut_hit_by(self, origin, direction):
-        """The place and the cut where a ray, in part coordinates, first meets the stock from outside; None where it
+        """Returns the point and the cut at which a ray, in part coordinates, first enters the stock, or None if it
         misses."""
         best = None
         for piece in self.pieces.values():
@@ -161,15 +163,15 @@ class StockScene:
 
 
 def first_hit(vertices, corners, origin, direction):
-    """Distance along a ray to its first triangle, and that triangle's corner nearest to the place; None where there is
-    none."""
+    """Returns the distance along a ray to the first triangle that it enters from outside, and the triangle's corner
+    nearest to the point. None without a hit."""
     if not len(corners):
         return None
     origin, direction = np.asarray(origin, float), np.asarray(direction, float)
     with np.errstate(divide="ignore", invalid="ignore"):
         spans = np.sort(np.stack([vertices.min(0) - origin, vertices.max(0) - origin]) / direction, axis=0)
     if np.nanmax(spans[0]) > np.nanmin(spans[1]) + 1e-6:
-        return None  # past its box
+        return None  # misses the bounding box
     a, b, c = (vertices[corners[:, k]].astype(float) for k in range(3))
     with np.errstate(divide="ignore", invalid="ignore"):
         ab, ac = b - a, c - a
@@ -180,7 +182,7 @@ def first_hit(vertices, corners, origin, direction):
         over = np.cross(off, ab)
         v = (over * direction).sum(1) / scale
         far = (over * ac).sum(1) / scale
-        met = np.flatnonzero((scale > 0) & (u >= 0) & (v >= 0) & (u + v <= 1))  # from outside only
+        met = np.flatnonzero((scale > 0) & (u >= 0) & (v >= 0) & (u + v <= 1))  # only front faces
     if not len(met):
         return None
     nearest = met[np.argmin(far[met])]

@@ -1,4 +1,4 @@
-"""The places where a solid's mesh may lack parts, as boxes in the 3D view."""
+"""Boxes in the 3D view for the places where a solid's mesh may lack parts."""
 
 import FreeCADGui
 import numpy as np
@@ -7,12 +7,12 @@ from pivy import coin
 from ..certainty import uncertain_places
 
 AMBER = (1.0, 0.6, 0.0)
-AROUND = 4  # times the size of a place that is seen once it is zoomed to
+AROUND = 4  # size of the view relative to the place that it is zoomed to
 EDGES = [i for a in range(8) for axis in range(3) if not a >> axis & 1 for i in (a, a | 1 << axis)]
 
 
 class UncertainPlaces:
-    """Boxes under the object's own placement, visible through its mesh, since missing parts mostly lie inside of it.
+    """Boxes under the object's placement, visible through its mesh, since missing parts are mostly inside of it.
     `close()` removes them."""
 
     def __init__(self, obj):
@@ -26,7 +26,7 @@ class UncertainPlaces:
 
 
 def look_at_largest(obj):
-    """Zooms the view of the object's document to the largest place."""
+    """Zooms the document's view to the largest place."""
     lower, upper = uncertain_places(obj)[0]
     placement = obj.getGlobalPlacement()
     points = coin.SoCoordinate3()

@@ -102,7 +102,7 @@ def machining(document):
 
 
 def _smaller(picture):
-    """A picture of the set-up sheet at half its size."""
+    """Returns a picture of the set-up sheet at half its size, in base64. `picture`: a match of the original."""
     data = QtCore.QByteArray()
     buffer = QtCore.QBuffer(data)
     image = QtGui.QImage.fromData(base64.b64decode(picture[0]))
@@ -111,8 +111,8 @@ def _smaller(picture):
 
 
 def _with_picture(path, picture):
-    """Puts a picture into a saved document, where FreeCAD's start page looks for it. FreeCAD's own picture shows only
-    its logo when drawn without a graphics card."""
+    """Stores a thumbnail for FreeCAD's start page in a saved document. Without a graphics card, FreeCAD's own thumbnail
+    shows only its logo."""
     with zipfile.ZipFile(path) as saved:
         held = {name: saved.read(name) for name in saved.namelist()}
     with open(picture, "rb") as file:
@@ -151,4 +151,4 @@ def run():
 
 
 if os.environ.get("FIELDFAB_EXAMPLES"):
-    QtCore.QTimer.singleShot(1500, run)  # once the window is there: before, views have no picture
+    QtCore.QTimer.singleShot(1500, run)  # when the window is open: views cannot be drawn earlier
