@@ -10,7 +10,7 @@ DOUBTFUL = "doubtful"  # the panel's state for a mesh that is valid but not cert
 
 
 def doubt_of(mesh):
-    """Returns a line that names the places where a new mesh is not certain, or "" for a certain mesh. A mesh without a
+    """Returns a line that describes where a new mesh is not certain, or "" for a certain mesh. A mesh without a
     certainty consists of the solid's exact faces and counts as certain."""
     certainty = getattr(mesh, "certainty", None)
     return "" if certainty is None or certainty.certain else str(certainty)

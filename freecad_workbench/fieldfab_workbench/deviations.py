@@ -22,7 +22,7 @@ def deviations(field, vertices, triangles):
 
 
 def colours(shares):
-    """Returns red, green and blue for numbers from -1 (inside) to 1 (outside)."""
+    """Returns red, green and blue of numbers from -1 (inside) to 1 (outside)."""
     at = (np.clip(np.nan_to_num(shares), -1, 1) + 1) / 2 * (len(STOPS) - 1)
     return np.stack([np.interp(at, np.arange(len(STOPS)), STOPS[:, channel]) for channel in range(3)], axis=-1)
 

@@ -25,7 +25,7 @@ def source_of_geometry(obj, deflection=None):
 
 
 def _mesh_of_shape(obj, deflection):
-    import MeshPart  # not before it is needed: the workbench must load quickly
+    import MeshPart  # imported late: the workbench must load quickly
 
     shape = obj.Shape.copy()
     shape.Placement = type(shape.Placement)()

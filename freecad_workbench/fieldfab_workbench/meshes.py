@@ -45,7 +45,7 @@ def bms_of(mesh):
 
 def from_bms(data):
     """Returns the fieldfab.Mesh in the bytes of a .bms file."""
-    import numpy as np  # not before it is needed: the workbench must load quickly
+    import numpy as np  # imported late: the workbench must load quickly
 
     points, facets = (int(n) for n in np.frombuffer(data, "<u4", 2, _HEAD - 8))
     vertices = np.frombuffer(data, "<f4", 3 * points, _HEAD).reshape(-1, 3)

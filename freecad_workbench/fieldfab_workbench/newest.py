@@ -6,7 +6,7 @@ import time
 from . import work
 from .shim import QtCore
 
-PATIENCE = 0.5  # seconds for which work may continue while a newer request waits
+PATIENCE = 0.5  # seconds that a run may take while a newer request waits
 
 
 class Newest:

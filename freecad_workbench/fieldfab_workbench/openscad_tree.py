@@ -182,7 +182,8 @@ def _common(colours):
 
 
 def _in_plane(matrix):
-    """Returns whether a matrix transforms the plane z = 0 into itself and keeps z."""
+    """Returns whether the linear part of a matrix acts only within the xy plane, as a placement of a flat shape
+    requires."""
     return (matrix.A13, matrix.A23, matrix.A31, matrix.A32, matrix.A33) == (0, 0, 0, 0, 1)
 
 

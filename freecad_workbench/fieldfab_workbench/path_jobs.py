@@ -113,7 +113,7 @@ class Setup:
     """Inputs of the simulator besides the program (docs/simulation.md), in document coordinates."""
 
     machine: str | None  # a Fieldfab machine id; None: three axes
-    lower: tuple  # of the stock's box, mm
+    lower: tuple  # corners of the stock's box, mm
     upper: tuple
     tools: list  # {name: value} as in set-up files
     mesh: object = None  # the stock as a fieldfab.Mesh, if it is not a box

@@ -15,7 +15,7 @@ DENOISING = marked(("none", "median", "gaussian", "anisotropic"))
 FIELDS_KEPT = 2  # each may keep a whole volume in memory
 OVERVIEW_SAMPLES = 300_000
 SLAB_SAMPLES = 1 << 17  # samples of the coarse volume that are read at a time
-BYTES_A_TRIANGLE = 120  # with its share of vertices, in the kernel and in FreeCAD
+BYTES_A_TRIANGLE = 120  # including its share of vertices, in the kernel and in FreeCAD
 
 
 @dataclasses.dataclass(frozen=True)
@@ -150,7 +150,7 @@ class Overview:
 
 def _read(volume, progress):
     """Returns all densities. Reads some slices at a time, so that it can be cancelled."""
-    import numpy as np  # not before it is needed: the workbench must load quickly
+    import numpy as np  # imported late: the workbench must load quickly
 
     across, along, deep = volume.size
     layers, step = [], max(1, SLAB_SAMPLES // (across * along))

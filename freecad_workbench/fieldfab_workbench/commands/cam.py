@@ -18,8 +18,8 @@ from .solids import selected
 
 
 def chosen_setup():
-    """Returns the selected set-up or the set-up of a selected child; otherwise the document's set-up if there is
-    exactly one; otherwise None."""
+    """Returns the selected set-up, or the set-up to which a selected object belongs; otherwise the document's set-up if
+    there is exactly one; otherwise None."""
     for obj in FreeCADGui.Selection.getSelection():
         for candidate in (obj, getattr(obj, "Setup", None), cam_setup.setup_of(obj),
                           getattr(getattr(obj, "Program", None), "Setup", None)):
@@ -70,7 +70,7 @@ class Plan(Command):
         return chosen_setup() is not None
 
     def Activated(self):
-        from ..objects import machine_program  # it needs numpy
+        from ..objects import machine_program  # needs numpy
 
         setup = chosen_setup()
         document = setup.Document
@@ -93,8 +93,8 @@ class _OfProgram(Command):
 
 class WriteMachineFile(_OfProgram):
     def Activated(self):
-        from ..objects import machine_program  # it needs numpy
-        from ..panels.program_preview import ProgramPreview  # it needs numpy, too
+        from ..objects import machine_program  # needs numpy
+        from ..panels.program_preview import ProgramPreview  # needs numpy, too
 
         program = chosen_program()
         text = machine_program.machine_file(program).decode("utf-8", "replace")
@@ -124,7 +124,7 @@ def file_name(program):
 
 def write(program, path):
     """Writes the machine's file. Reports success in the status bar and an error in a dialog."""
-    from ..objects import machine_program  # it needs numpy
+    from ..objects import machine_program  # needs numpy
 
     window = FreeCADGui.getMainWindow()
     try:
@@ -137,7 +137,7 @@ def write(program, path):
 
 class SetupSheet(_OfProgram):
     def Activated(self):
-        from ..objects import machine_program  # it needs numpy
+        from ..objects import machine_program  # needs numpy
 
         path = os.path.join(tempfile.mkdtemp(prefix="fieldfab_"), "setup.html")
         machine_program.write_setup_sheet(chosen_program(), path)
@@ -146,7 +146,7 @@ class SetupSheet(_OfProgram):
 
 class ToPath(_OfProgram):
     def Activated(self):
-        from .. import path_jobs  # it needs numpy
+        from .. import path_jobs  # needs numpy
 
         program = chosen_program()
         document = program.Document

@@ -51,8 +51,8 @@ def folders_of_start_page():
 
 
 class OnStartPage(Command):
-    """Adds the folder of the user's example copies to FreeCAD's start page, or removes it. Leaves other folders
-    unchanged."""
+    """Copies the examples to the user's folder and adds it to FreeCAD's start page, or removes the folder from the
+    page. Leaves other folders unchanged."""
 
     def __init__(self, *texts):
         super().__init__(*texts)

@@ -59,7 +59,7 @@ class CrossCheck(Command):
         return len(_chosen_solids()) == 1
 
     def Activated(self):
-        from ..panels.check_panel import CheckPanel  # it needs numpy
+        from ..panels.check_panel import CheckPanel  # needs numpy
 
         FreeCADGui.Control.showDialog(CheckPanel(_chosen_solids()[0]))
 
@@ -72,7 +72,7 @@ class ShowUncertainPlaces(Command):
         return any(uncertain_places(obj) for obj in _chosen_solids())
 
     def Activated(self):
-        from ..views.uncertain_places import look_at_largest  # it needs numpy and Coin
+        from ..views.uncertain_places import look_at_largest  # needs numpy and Coin
 
         chosen = [obj for obj in _chosen_solids() if uncertain_places(obj)]
         if all(obj.ViewObject.Proxy.shows_places() for obj in chosen):
@@ -92,7 +92,7 @@ class SectionPlane(Command):
         return hasattr(FreeCADGui.activeView(), "getSceneGraph")
 
     def Activated(self):
-        from ..views.section import toggle  # it needs Coin
+        from ..views.section import toggle  # needs Coin
 
         toggle(FreeCAD.ActiveDocument)
 

@@ -82,7 +82,7 @@ def shape_of(mesh, most_triangles, merge_faces, label):
 
 def _signed_volume(mesh):
     """Returns the signed volume, negative if the triangles face inwards, as around a cavity."""
-    import numpy as np  # not before it is needed: the workbench must load quickly
+    import numpy as np  # imported late: the workbench must load quickly
 
     points, facets = mesh.Topology
     corners = np.array([tuple(p) for p in points])[np.array(facets)]

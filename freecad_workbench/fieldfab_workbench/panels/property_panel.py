@@ -18,7 +18,7 @@ TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromOb
           "FilePart": marked("Part of a model"),
           "PathOfProgram": marked("Path of program"), "OpenScadNode": marked("OpenSCAD shape"),
           "OpenScadText": marked("OpenSCAD text"),
-          "CamTool": marked("Tool"), "MachineProgram": marked("Machine program")}  # these two without a set-up
+          "CamTool": marked("Tool"), "MachineProgram": marked("Machine program")}  # the last two only without a set-up
 
 
 class PropertyPanel(EditPanel):
