@@ -95,5 +95,5 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))  # SystemExit removes the folder of parts
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))  # the exit removes the parts
     sys.exit(main())
