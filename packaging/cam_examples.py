@@ -12,7 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 EXTENSION = {"pcb_modela": ".rml", "pcb_gcode": ".ngc", "bearing": ".ngc", "text_vcarve": ".ngc",
              "cthead_shopbot5": ".sbp", "mtm_az_laser": ".epi", "knob_five_axis": ".ngc"}
-LARGEST = 1_000_000  # bytes of a program that is kept as it is
+LARGEST = 1_000_000  # bytes of a program that is kept in full
 
 
 def run(job, folder):

@@ -1,12 +1,12 @@
 """Checks the text of the tree: spelling, columns, tables and links. `./dev lint` runs it, and so does
 tests/text_test.py.
 
-- Spelling: codespell over sources and documents; packaging/spelling.txt lists words that it does not know and that are
-  right here (letters of algorithms, other languages, misspellings that a test needs).
-- Columns: lines of sources, and lines of documents outside of tables, have at most 120 columns. A line of a source may
-  have more where a single word of it, such as an address, leaves no room.
+- Spelling: codespell over sources and documents; packaging/spelling.txt lists the exceptions (symbols of
+  algorithms, words of other languages, misspellings for tests).
+- Columns: lines of sources, and lines of documents outside of tables, have at most 120 columns. A source line may
+  be longer if one word of it, such as an address, does not fit.
 - Tables: each row has as many cells as the first one. Fences of code are closed.
-- Links: a link within the tree leads to a file, and to a heading of it where it names one.
+- Links: a link within the tree leads to an existing file and, if it has an anchor, to a heading of that file.
 
 Prints one line per finding, FILE:LINE: WHAT, and exits with 1 if there is one.
 """
@@ -46,7 +46,7 @@ def spelling(names):
 
 
 def prose(name):
-    """Yields number and text of each line outside of code. Reports fences that are left open as a line of None."""
+    """Yields number and text of each line outside of code; the text is None for a fence without an end."""
     fence, blank = None, True
     for number, line in enumerate(lines_of(name), 1):
         if line.startswith("```"):
@@ -59,18 +59,19 @@ def prose(name):
 
 
 def columns_of_source(name):
-    """Returns findings about lines that are too wide, and of which each word would fit with the line's indentation."""
+    """Returns findings about lines that are too wide, unless one word with the line's indentation is too wide."""
     return [f"{name}:{number}: {len(line)} columns" for number, line in enumerate(lines_of(name), 1)
             if len(line) > COLUMNS and len(line) - len(line.lstrip()) + max(map(len, line.split())) <= COLUMNS]
 
 
 def cells(row):
-    """Returns the number of cells of a table's row. A bar with a backslash is part of a cell; one in code is not."""
+    """Returns the number of cells of a table's row. A bar with a backslash is part of a cell; a bar in code separates
+    cells."""
     return len(row.replace(r"\|", "").strip().strip("|").split("|"))
 
 
 def form_of_document(name):
-    """Returns findings about columns, tables and fences of a document."""
+    """Returns findings about columns, rows of tables and fences of a document."""
     found = [f"{name}:{number}: {len(line)} columns" for number, line in enumerate(lines_of(name), 1)
              if len(line) > COLUMNS and not line.startswith("|")]
     wanted = 0
@@ -96,7 +97,7 @@ def anchors_of(name):
 
 
 def links(name):
-    """Returns links of a document that lead nowhere in the tree."""
+    """Returns findings about links of a document without a target in the tree."""
     found = []
     for number, line in prose(name):
         for link in re.findall(r"\]\(([^)\s]+)\)", line or ""):

@@ -1,9 +1,9 @@
-"""The demo: a newcomer's first look, as one page of static files in out/demo/index.html. It works from a disk and on
-any web page.
+"""The demo: a newcomer's first look, as one page of static files in out/demo/index.html. It works from a disk and from
+any web server.
 
-A machine of 35 parts in colours, the head of a CT scan, a part planned for five axes and simulated (all turned by
-mouse), prospero, and the cross-checks of each part. Run by ./dev demo after the build; uses the command only, as a user
-would. """
+It shows a machine of 35 coloured parts, the head of a CT scan, a part planned for five axes and simulated (all can be
+rotated), prospero, and the cross-checks of each part. `./dev demo` runs it after the build. It uses the command only.
+"""
 
 import base64
 import html
@@ -46,8 +46,8 @@ def region(bounds, margin):
 
 
 def checked_parts(out, count, cells):
-    """Builds, meshes and checks each part of the PCB mill mtm_az (Keeter 4.3.5). `cells`: for each inch, the unit of
-    the files; 25.4 * 5 are 5 for each mm."""
+    """Builds, meshes and checks each part of the PCB mill mtm_az (Keeter 4.3.5). `cells`: cells per inch, the unit of
+    the files; 127 are 5 per mm."""
     text = (DATA / "frep" / "mtm_az" / "mtm_az.bounds").read_text()
     rows = []
     for i, box in enumerate(json.loads(text[: text.rindex("]") + 1])[:count]):
@@ -60,7 +60,7 @@ def checked_parts(out, count, cells):
 
 
 def machine(out, count, voxel):
-    """The distance fields of all parts in their colours, mm: mtm_az.frep, .glb and .png."""
+    """Writes the distance fields of all parts with their colours as mtm_az.frep, .glb and .png, in mm."""
     lines = [f'part(scale(open("part_{i:02d}.asdf"), 25.4), "part {i:02d}", "{COLOURS[i % len(COLOURS)]}")\n'
              for i in range(count)]
     (out / "mtm_az.frep").write_text("".join(lines))
@@ -76,7 +76,7 @@ def head(out, voxel):
 
 
 def machined(out, job, frames, cell):
-    """A job planned and simulated: program, picture of its ways, report, film and the stock that is left."""
+    """Plans and simulates a job. Writes its program, a picture of its paths, report, film and final stock."""
     program = out / "program.ngc"
     plan, t_plan = fieldfab("cam", job, "-o", program, "--picture", out / "ways.png", "--oblique", "--sheet",
                             out / "sheet.html")
@@ -128,7 +128,7 @@ def verdict(check):
 
 
 def scene(name, picture, words, colour=None):
-    """A model that is turned; without WebGL or scripts its picture."""
+    """Returns HTML of a model that can be rotated; without WebGL or scripts its picture is shown."""
     return f"""<figure data-model="{name}"{f' data-colour="{colour}"' if colour else ""}>
 <div class="scene" role="img" aria-label="{words}"><img src="{picture}" alt="{words}"></div>
 <figcaption>{words}. Drag to turn; arrow keys and the wheel work once it is clicked.
@@ -159,7 +159,7 @@ Cross-checked in {total(6):.1f} s: {sum(r[5]['passed'] for r in rows)} of {len(r
 
 
 def page(rows, cells, mill, scan, cut, frames, plate):
-    total = lambda column: sum(row[column] for row in rows)  # noqa: E731: shorter than a function
+    total = lambda column: sum(row[column] for row in rows)  # noqa: E731
     plan, t_plan, done, t_done = cut
     return f"""<!doctype html><html lang="en"><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>Fieldfab demo</title><style>{STYLE}</style>
@@ -187,7 +187,7 @@ def page(rows, cells, mill, scan, cut, frames, plate):
 
 
 def with_scripts(out):
-    """Each .glb as a script, too: a page that lies on a disk may load no other files."""
+    """Writes each .glb as a script, too: browsers load no other files for a page from a disk."""
     for path in out.glob("*.glb"):
         (out / f"{path.name}.js").write_text(
             f'fieldfabModel("{path.stem}", "{base64.b64encode(path.read_bytes()).decode()}")\n')
@@ -200,7 +200,7 @@ def with_scripts(out):
 
 def main(out=OUT, parts=35, cells=127, with_prospero=True, voxel=1, head_voxel=2,
          job=ROOT / "examples" / "cam" / "knob_five_axis.toml", frames=FRAMES, cell=0.2):
-    """Makes the page in a folder; a test has fewer parts and larger cells."""
+    """Makes the page in a folder. A test uses fewer parts and larger cells."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     rows = checked_parts(out, parts, cells)

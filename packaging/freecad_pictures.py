@@ -9,7 +9,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "docs" / "figures"
-# From which test's screenshot each figure comes; those of the tutorial keep their names.
+# Figure of each screenshot of the tests. Screenshots of the tutorial keep their names.
 FIGURE_OF = {
     "window_solids": {"difference": "freecad"},
     "window_cam": {"cam_planned": "freecad_cam"},
@@ -23,7 +23,7 @@ FIGURE_OF = {
 
 
 def take(test):
-    """Runs a test file in FreeCAD's window and puts its screenshots in their places; whether all went well."""
+    """Runs a test file in FreeCAD's window and copies its screenshots to the documents. Returns whether it passed."""
     with tempfile.TemporaryDirectory() as shots:
         pytest = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/hosts/freecad_inside_test.py",
                   "-k", f"{test} and not {test}_"]

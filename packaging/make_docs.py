@@ -1,6 +1,6 @@
-"""Makes the documents that follow from the design language's own table and from examples/: the shape library's manual
-with its pictures, the gallery, and the type stubs of fieldfab.shapes. Run by ./dev docs; --check only tells whether the
-texts are up to date."""
+"""Generates documents from the design language's table and examples/: the shape library's manual with its pictures, the
+gallery, and the type stubs of fieldfab.shapes. `./dev docs` runs it. With --check it writes nothing and reports texts
+that are out of date."""
 
 import pathlib
 import sys
@@ -25,7 +25,7 @@ def stubs():
     for f in library():
         parts = [f"{p['name']}: {kinds[p['kind']]}" + ("" if p["default"] is None else " = ...")
                  for p in f["parameters"]]
-        if f["any_number"]:  # further ones, one by one or in lists
+        if f["any_number"]:  # further ones, as arguments or in lists
             parts = [f"*{f['parameters'][0]['name']}: Any"]
         lines.append(f"def {f['name']}({', '.join(parts)}) -> Solid: ...")
     return "\n".join(lines) + "\n"
@@ -73,7 +73,7 @@ def gallery():
                   f"![{name}](figures/gallery/{path.stem}.png)", ""]
         lines += ["```frep", *text, "```", ""]
     for path in sorted((ROOT / "examples" / "openscad").glob("*.scad")):
-        if path.stem == "fieldfab":  # the library, put there by a run
+        if path.stem == "fieldfab":  # the library, copied there by a run
             continue
         title, *text = path.read_text().splitlines()
         lines += [f"## {path.stem.capitalize()}, in OpenSCAD", "", title.lstrip("/ "), "",
@@ -84,7 +84,7 @@ def gallery():
 
 
 def render(expression, path):
-    """Writes the picture where it differs, so that an unchanged one stays as it is."""
+    """Writes the picture if it differs from the file."""
     image = ff.render(expression, size=240, **VIEW)
     with tempfile.TemporaryDirectory() as folder:
         made = pathlib.Path(folder) / "made.png"

@@ -1,4 +1,4 @@
-"""make_man.py COMMAND FILE: the manual page of the command, made of its own --help."""
+"""make_man.py COMMAND FILE: writes the manual page of the command from its --help."""
 
 import re
 import subprocess

@@ -1,7 +1,6 @@
-"""Makes the site of ./dev docs in out/site: pages and Python reference by Sphinx, C++ reference by Doxygen, links
-checked.
+"""Builds the site of ./dev docs in out/site: pages and Python reference by Sphinx, C++ reference by Doxygen.
 
-Any warning of either program, and any link between pages that leads nowhere, is an error.
+A warning of either program and a broken link between pages are errors.
 """
 
 import pathlib
@@ -17,7 +16,7 @@ START = '<!DOCTYPE html><meta http-equiv="refresh" content="0; url=packaging/sit
 
 
 def made():
-    """Builds the site anew. Raises CalledProcessError for a warning."""
+    """Builds the site from scratch. Raises CalledProcessError for a warning."""
     shutil.rmtree(SITE, ignore_errors=True)
     SITE.mkdir(parents=True)
     subprocess.run(["doxygen", "packaging/site/Doxyfile"], cwd=ROOT, check=True)
@@ -28,10 +27,10 @@ def made():
 
 
 def broken():
-    """Returns the links of Sphinx's pages to files that are not there, a line each."""
+    """Returns the links of Sphinx's pages to missing files, a line each."""
     found = []
     for page in SITE.rglob("*.html"):
-        if SITE / "cpp" in page.parents:  # Doxygen's own concern
+        if SITE / "cpp" in page.parents:  # Doxygen checks its own links
             continue
         for link in re.findall(r'(?:href|src)="([^"#?]+)', page.read_text(encoding="utf-8")):
             if not re.match(r"\w+:|//", link) and not (page.parent / urllib.parse.unquote(link)).exists():

@@ -15,7 +15,7 @@ FIGURE_OF = {"meshlab-menu": "meshlab_menu", "meshlab-dialog": "meshlab_dialog",
 
 
 def take():
-    """Runs the tests of MeshLab's window and puts their screenshots in their places; whether all went well."""
+    """Runs the tests of MeshLab's window and copies their screenshots to the documents. Returns whether they passed."""
     with tempfile.TemporaryDirectory() as shots:
         pytest = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/hosts/meshlab_window_test.py"]
         env = {**os.environ, "FIELDFAB_SHOTS": shots, "PYTHONPATH": str(ROOT / "build" / "release" / "python")}

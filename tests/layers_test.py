@@ -1,12 +1,12 @@
-"""Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <-
-{cam, openscad} <- {cli, python} <- hosts.
+"""Permitted includes: core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <- {cam,
+openscad} <- {cli, python} <- hosts.
 
 openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg
-files, which are models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it
-brings a larger table of formats (openscad::all_formats()).
+files, so that every verb and FreeCAD read these as models. The kernel does not depend on it; it provides a larger table
+of formats (openscad::all_formats()).
 
-In cam: base <- {gcode, stock} <- plan <- machine <- job <- simulate, but plan does not know gcode. This goes for the
-rooms' private headers, too, which nothing outside of cam includes.
+In cam: base <- {gcode, stock} <- plan <- machine <- job <- simulate, but plan does not include gcode. The same holds
+for the rooms' private headers, which no file outside of cam includes.
 
 The FreeCAD workbench in Python: base <- objects <- files <- views <- panels <- commands <- start. Neither the workbench
 nor the Python module has an import cycle, imports inside functions included."""
@@ -36,16 +36,16 @@ CAM = {"base": set(), "gcode": {"base"}, "stock": {"base"}, "plan": {"base", "st
 CAM["machine"] = set(CAM)
 CAM["job"] = set(CAM)
 CAM["simulate"] = set(CAM)
-# FIELD-only rooms: the renderers, so that a new source of shape needs no change there.
+# Rooms that know Fields only, such as the renderers, so that a new source of shape needs no change there.
 HEAVY = ("CGAL/", "openvdb/", "OpenMesh/", "itk", "asmjit/", "zip.h", "expat.h")
-HEAVY_ALLOWED = {"kernel/include/fieldfab/mesh/openmesh.h"}  # for those who ask for it by name
+HEAVY_ALLOWED = {"kernel/include/fieldfab/mesh/openmesh.h"}  # an optional header
 
 # The workbench's layers, the lowest first. A folder of the package is a layer; of the modules beside the folders, FILES
 # are the layer files and all others base.
 LAYERS = ("base", "objects", "files", "views", "panels", "commands", "start")
 FILES = ("files", "importing", "openscad_files", "part_files", "path_jobs")
 PACKAGE = "fieldfab_workbench"
-# Modules of web/server that run in worker processes: they know nothing of the server.
+# Modules of web/server that run in worker processes; they do not import the server.
 WORKER_SIDE = {"worker", "models", "pictures", "files", "machining", "frames", "png", "remote"}
 
 
@@ -59,13 +59,13 @@ def room_of(path):
 
 
 def cam_room_of(parts):
-    """The room of a file of cam, public or private; "" where it lies in none."""
+    """Returns the room of a public or private file of cam; "" for files outside of rooms."""
     parts = parts[4:] if parts[:4] == ("cam", "include", "fieldfab", "cam") else parts[1:]
     return parts[0] if len(parts) == 2 and parts[0] in CAM else ""
 
 
 def cam_violation(path, name):
-    """What is wrong with an include that a file of cam has, or one of a header of cam; "" where nothing is."""
+    """Returns the violation by an include in cam, or of a header of cam; "" for a permitted one."""
     included = pathlib.PurePosixPath(name).parts
     if included[:2] == ("fieldfab", "cam"):
         other = included[2] if len(included) == 4 and included[2] in CAM else ""
@@ -85,12 +85,12 @@ def cam_violation(path, name):
 
 
 def is_of_meshlab(name):
-    """Headers of MeshLab, VCG or Qt."""
+    """Whether a header belongs to MeshLab, VCG or Qt."""
     return name.startswith(("common/", "vcg/", "wrap/", "Q")) and not name.startswith("Qu")
 
 
 def violations(path, text):
-    """What a file at `path` (relative to the root) includes that it must not."""
+    """Returns the forbidden includes of a file at `path` (relative to the root)."""
     room, found = room_of(path), []
     for name in INCLUDE.findall(text):
         if name.startswith("fieldfab/"):
@@ -165,7 +165,7 @@ def test_planted_violations_of_cam_are_caught():
 
 
 def layer_of(module):
-    """The layer of a module of the workbench; what FreeCAD or a person starts is the highest."""
+    """Returns the layer of a module of the workbench; entry points of FreeCAD and scripts are in the highest."""
     first, *rest = module.split(".")
     if first != PACKAGE:
         return "start"
@@ -174,13 +174,13 @@ def layer_of(module):
 
 
 def python_sources(folder):
-    """{name of a module: its text} of all Python files below a folder."""
+    """Returns {name of a module: its text} of all Python files below a folder."""
     paths = {file.relative_to(folder).with_suffix("").parts: file for file in folder.rglob("*.py")}
     return {".".join(name[:-1] if name[-1] == "__init__" else name): file.read_text() for name, file in paths.items()}
 
 
 def python_imports(module, sources):
-    """[(line, other module, whether the import is inside a function)] of those among `sources`."""
+    """Returns [(line, other module, whether the import is inside a function)] for imports from `sources`."""
     tree, found = ast.parse(sources[module]), []
     functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
     deferred = {node for function in functions for node in ast.walk(function)}
@@ -201,7 +201,7 @@ def python_imports(module, sources):
 
 
 def python_cycle(sources):
-    """The modules of an import cycle, the first one again at its end; empty where there is none."""
+    """Returns the modules of an import cycle, the first one repeated at the end; empty without a cycle."""
     graph = {module: {other for _, other, _ in python_imports(module, sources)} for module in sources}
     try:
         graphlib.TopologicalSorter(graph).prepare()
@@ -211,7 +211,7 @@ def python_cycle(sources):
 
 
 def python_violations(sources):
-    """Imports of the workbench that go upwards, and those inside functions without a comment that says why."""
+    """Returns upward imports of the workbench, and imports inside functions without a comment with the reason."""
     found = []
     for module, text in sources.items():
         layer, lines = layer_of(module), text.splitlines()
@@ -239,8 +239,8 @@ def test_the_python_module_has_no_import_cycle():
 
 
 def test_the_web_server_knows_the_module_only():
-    """web/server is fieldfab.serve where it is installed. It imports the standard library, aiohttp, NumPy, Dask and
-    fieldfab, in layers. No other part of the project imports it."""
+    """web/server is installed as fieldfab.serve. It imports the standard library, aiohttp, NumPy, Dask and fieldfab, in
+    layers. No other part of the project imports it."""
     sources = python_sources(ROOT / "web" / "server")
     assert len(sources) > 10 and python_cycle({f"serve.{name}": text for name, text in sources.items()}) == []
     allowed = sys.stdlib_module_names | {"aiohttp", "distributed", "fieldfab", "numpy"}
@@ -269,7 +269,7 @@ def test_saved_documents_find_their_classes():
 
 
 def planted(**texts):
-    """Sources of a small workbench. `texts`: by module, views_a for views/a.py; the other modules are empty."""
+    """Returns sources of a small workbench. `texts`: by module, views_a for views/a.py; the other modules are empty."""
     names = ("a", "objects.a", "views.a", "panels.a", "files")
     sources = {PACKAGE: "", **{f"{PACKAGE}.{name}": "" for name in (*names, "objects", "views", "panels")}}
     return {**sources, **{f"{PACKAGE}.{name.replace('_', '.')}": text for name, text in texts.items()}}

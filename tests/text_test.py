@@ -23,7 +23,7 @@ def test_the_text_of_the_tree_is_in_order(check):
 
 @pytest.fixture
 def page(check, tmp_path, monkeypatch):
-    """Makes a page of a tree of its own, and returns its name."""
+    """Returns a function that writes a page of a temporary tree and returns its name."""
     monkeypatch.setattr(check, "ROOT", tmp_path)
     (tmp_path / "packaging").mkdir()
     (tmp_path / "packaging" / "spelling.txt").write_text("")
@@ -36,7 +36,7 @@ def page(check, tmp_path, monkeypatch):
 
 
 def test_a_misspelled_word_is_found(check, page):
-    word = "rec" + "ieve"  # apart, so that this file has none
+    word = "rec" + "ieve"  # split, so that this file has no misspelling
     assert word in check.spelling([page(f"We {word} it.\n")])[0]
 
 

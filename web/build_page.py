@@ -1,6 +1,6 @@
-"""Builds the page (build_page.py CLIENT WORK PAGE) and the script of the demo's static page, WORK/demo.js. Packages are
-installed into WORK as the lock file has them; npm runs none of their scripts. Without npm, or where its registry is out
-of reach, it says so in one line, and the rest of the build goes on."""
+"""Builds the page (build_page.py CLIENT WORK PAGE) and the script of the demo's static page, WORK/demo.js. npm installs
+the packages of the lock file into WORK and runs none of their scripts. Without npm or access to its registry, it prints
+one line, and the rest of the build continues."""
 
 import pathlib
 import shutil
@@ -24,7 +24,7 @@ def run(words, folder):
 
 
 def install(client, work):
-    """Packages, unless they are those of the lock file already."""
+    """Installs the packages unless they match the lock file."""
     lock = (client / "package-lock.json").read_bytes()
     installed = work / "installed-lock.json"
     if installed.exists() and installed.read_bytes() == lock:
@@ -50,7 +50,7 @@ def main():
     fresh.mkdir()
     link = work / "src"
     shutil.rmtree(link, ignore_errors=True)
-    shutil.copytree(client / "src", link)  # beside node_modules, where esbuild looks for packages
+    shutil.copytree(client / "src", link)  # next to node_modules, where esbuild looks for packages
     shutil.copy(client / "tsconfig.json", work / "tsconfig.json")
     bundle = ["--bundle", "--minify", "--target=es2022"]
     for tool in (["tsc", "--noEmit", "-p", "."],
@@ -60,7 +60,7 @@ def main():
                   f"--outfile={work}/demo.js"]):
         done = run([str(work / "node_modules" / ".bin" / tool[0]), *tool[1:]], work)
         if done.returncode != 0:
-            sys.exit((done.stdout + done.stderr).strip())  # a mistake of ours ends the build
+            sys.exit((done.stdout + done.stderr).strip())  # an error in our sources ends the build
     for each in (client / "src").iterdir():
         if each.suffix in (".html", ".css", ".svg"):
             shutil.copy(each, fresh / each.name)

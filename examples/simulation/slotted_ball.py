@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Writes a five-axis program of any length, its set-up and the part that it makes: a ball with twelve leaning slots.
+"""Writes a five-axis program of any length, its set-up and its target: a ball with twelve inclined slots.
 
     slotted_ball.py FOLDER [MOVES]
 
-The ball (radius 24 mm) is cut from a block by spirals that come in from outside, ever along its normal and past its
-equator, so that the part has overhangs; then a smaller cutter goes along each slot, leaning all the time. Both axes of
-the trunnion table turn in nearly every move. The part is known in closed form: all that a cutter of radius R touches is
-R away from where its middle went.
+A ball of radius 24 mm is cut from a block. Spirals approach it along its normal, and continue below the equator, so
+that the part has overhangs. A smaller cutter then cuts each slot with an inclined axis. Both axes of the trunnion table
+turn in nearly every move. The target has a closed form: a ball-nose cutter of radius R leaves a surface at distance R
+from the path of its centre.
 
 Then: fieldfab simulate FOLDER/slotted_ball.ngc --setup FOLDER/slotted_ball.toml -o part.stl
 """
@@ -15,21 +15,21 @@ import math
 import pathlib
 import sys
 
-BALL, REACH = 24.0, math.radians(118)  # mm; how far from the pole the spirals go
+BALL, REACH = 24.0, math.radians(118)  # radius, mm; angle from the pole to the spirals' ends
 BIG, SMALL = 3.0, 1.5  # radii of the cutters, mm
-SLOTS, SLOT_RADIUS, LEAN = 12, 14.0, math.radians(35)  # the slots' bottoms are lines at this distance from the middle
-# The distance of the cutter's middle, and that between turns.
+SLOTS, SLOT_RADIUS, LEAN = 12, 14.0, math.radians(35)  # SLOT_RADIUS: from the centre to a slot's bottom, mm
+# Radius of the spiral of the cutter's centre, and distance between turns, mm.
 SPIRALS = [(48 - 3 * i, 3.0) for i in range(7)] + [(BALL + BIG, 0.45)]
-DEPTHS = [10.0 - i for i in range(11)]  # of the slots' passes, above their bottoms
+DEPTHS = [10.0 - i for i in range(11)]  # of the passes above the slot's bottom, mm
 
 
 def spirals(step):
-    """Places of the big cutter's middle, and its axis: down one spiral, up the next."""
+    """Yields positions of the large cutter's centre with its axis; spirals alternate between down and up."""
     for number, (radius, pitch) in enumerate(SPIRALS):
         angles, angle = [], 0.0
         while angle < REACH:  # even steps along the spiral
             angles.append(angle)
-            a_turn = pitch / (2 * math.pi * radius)  # what it goes on in a radian
+            a_turn = pitch / (2 * math.pi * radius)  # change of the polar angle per radian of turn
             angle += min(step / math.hypot(radius, radius * math.sin(angle) / a_turn), 0.4 * a_turn)
         for angle in angles if number % 2 == 0 else reversed(angles):
             turn = 2 * math.pi * radius * angle / pitch
@@ -38,7 +38,7 @@ def spirals(step):
 
 
 def slot_frame(number):
-    """A point of a slot's bottom line, outwards, and along the line."""
+    """Returns a point of a slot's bottom line, the outward direction, and the direction of the line."""
     angle = 2 * math.pi * number / SLOTS
     out = (math.cos(angle), math.sin(angle), 0.0)
     along = (-math.sin(angle) * math.sin(LEAN), math.cos(angle) * math.sin(LEAN), math.cos(LEAN))
@@ -46,7 +46,7 @@ def slot_frame(number):
 
 
 def slot_passes(number, step):
-    """Passes of the small cutter along a slot; its axis leans to and fro in the slot's plane."""
+    """Yields passes of the small cutter along a slot; its axis swings in the slot's plane."""
     bottom, out, along = slot_frame(number)
     for i, depth in enumerate(DEPTHS):
         count = int(38 / step)
@@ -58,7 +58,7 @@ def slot_passes(number, step):
 
 
 class Writer:
-    """Axis values of a trunnion table: A tilts about x and carries C; x, y and z follow the turned part."""
+    """Writes a program for a trunnion table: A tilts about x and carries C; x, y and z are machine coordinates."""
 
     def __init__(self):
         self.lines, self.turn, self.moves = ["%", "(a ball with leaning slots)", "G17 G21 G40 G54 G80 G90 G94"], 0.0, 0
@@ -78,7 +78,7 @@ class Writer:
         self.moves += 1
 
     def along(self, places, radius):
-        """Down from far out to the first place, along all of them, and out again."""
+        """Approaches the first position from outside, follows all positions, and retracts."""
         places = [(tuple(p - radius * a for p, a in zip(place, axis)), axis) for place, axis in places]
         far = lambda tip, axis: tuple(t + 40 * a for t, a in zip(tip, axis))
         self.to(far(*places[0]), places[0][1], rapid=True)
@@ -88,7 +88,7 @@ class Writer:
 
 
 def program(moves):
-    # How long all ways are, to know how long a step is.
+    # The step follows from the total length of all paths.
     spiral = sum(2 * math.pi * radius * radius * (1 - math.cos(REACH)) / pitch for radius, pitch in SPIRALS)
     step = (spiral + SLOTS * len(DEPTHS) * 38) / moves
     writer = Writer()
@@ -101,7 +101,7 @@ def program(moves):
 
 
 def part():
-    """max(ball, -slots), each slot all that is within SMALL of a half-plane."""
+    """Returns the target's formula, max(ball, -slots). A slot is the set of points within SMALL of a half-plane."""
     slots = []
     for number in range(SLOTS):
         _, out, along = slot_frame(number)

@@ -1,5 +1,4 @@
-"""Run by FreeCAD, with a window or without: makes a solid of the installed workbench. SHOT names a picture of the
-window."""
+"""Makes a solid with the installed workbench; FreeCAD runs it, with or without a window. SHOT: file of a screenshot."""
 
 import os
 

@@ -12,7 +12,7 @@ from ._core import *  # noqa: F401,F403: the module is the package's whole inter
 from ._core import Error, __version__, cam, language, shapes, stock
 
 __all__ = [name for name in vars(_core) if not name.startswith("_")]
-sys.modules[__name__ + ".shapes"] = shapes  # so that `from fieldfab.shapes import sphere` works
+sys.modules[__name__ + ".shapes"] = shapes  # for `from fieldfab.shapes import sphere`
 sys.modules[__name__ + ".cam"] = cam
 sys.modules[__name__ + ".language"] = language
 sys.modules[__name__ + ".stock"] = stock

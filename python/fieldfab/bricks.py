@@ -2,8 +2,8 @@
 
     python3 -m fieldfab.bricks scan.nrrd -o scan.asdf --workers 4
 
-Each process makes the blocks of some layers of the volume; put together they are byte for byte the file that
-`fieldfab build` writes. On a cluster (--scheduler) all processes must see the volume and the output's folder.
+Each process makes the blocks of some layers of the volume. Joined, they equal the file of `fieldfab build` byte for
+byte. On a cluster (--scheduler) all processes need access to the volume and the output's folder.
 """
 
 import argparse
@@ -38,7 +38,7 @@ def build(volume, output, threshold=None, workers=2, parts=None, scheduler=None,
     task = {"volume": os.path.abspath(volume), "file": file or {},
             "threads": 0 if scheduler else max(1, os.cpu_count() // workers)}
     whole = open_volume(task)
-    # Found once: a share such as 90% needs all of the samples.
+    # Computed once, since a percentile such as 90% needs all samples.
     task["surface"] = {"threshold": whole.threshold(threshold), **surface}
     task["parts"] = parts or workers
     output = pathlib.Path(output).absolute()
@@ -95,5 +95,5 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))  # so that the folder of parts goes
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))  # the exit removes the parts
     sys.exit(main())

@@ -16,7 +16,7 @@ from PySide2 import QtCore, QtGui, QtWidgets
 from . import _core as ff
 
 COARSE = 4  # the first picture has a quarter of the pixels along each side
-SHOWN = 8  # mistakes at a time
+SHOWN = 8  # errors at a time
 FLAT, SOLID = "bitmap", "shaded"
 
 
@@ -63,7 +63,7 @@ class Worker(QtCore.QObject):
             except ff.Error as error:
                 if error.kind != "cancelled" and number == self._latest:
                     self.done.emit(error)
-            except Exception as error:  # the window stays, whatever a model does
+            except Exception as error:  # the window survives any error of a model
                 if number == self._latest:
                     self.done.emit(error)
 
@@ -75,7 +75,7 @@ class Model:
         self.field = field
         bounds = self.field.bounds()
         self.flat = bounds is None
-        if self.flat:  # unbounded along z, or for good
+        if self.flat:  # perhaps unbounded along z only
             bounds = (self.field & ff.Solid(abs(ff.Z) - 0.5)).bounds()
         if bounds is None:
             raise ff.Error("there is nothing to show: the solid is empty, or unbounded along x or y")
@@ -175,7 +175,7 @@ class Sliders(QtWidgets.QDockWidget):
 class View(QtWidgets.QWidget):
     """The picture, and the error message of the file."""
 
-    shown = QtCore.Signal(bool)  # whether it was the fine picture
+    shown = QtCore.Signal(bool)  # argument: whether it is the fine picture
 
     def __init__(self):
         super().__init__()
@@ -183,12 +183,12 @@ class View(QtWidgets.QWidget):
         self.setFocusPolicy(QtCore.Qt.StrongFocus)
         self.model, self.error, self.image, self.seconds = None, "", None, 0.0
         self.alpha, self.beta, self.perspective = 0.5, -0.95, 0.5
-        self.offset, self.scale = [0.0, 0.0], None  # mm from the solid's middle; mm a pixel
+        self.offset, self.scale = [0.0, 0.0], None  # mm from the solid's centre; mm per pixel
         self.worker = Worker()
         self.worker.done.connect(self._show)
         self._grabbed = None
 
-    # What is to be seen
+    # The visible window
 
     def set_model(self, model):
         first = self.model is None or self.model.flat != model.flat
@@ -282,7 +282,7 @@ class View(QtWidgets.QWidget):
             return
         factor = 0.999 ** event.angleDelta().y()
         at = event.position()
-        self.window()  # so that there is a scale
+        self.window()  # sets the scale
         for axis, pixels in enumerate((at.x() - self.width() / 2, self.height() / 2 - at.y())):
             self.offset[axis] += pixels * self.scale * (1 - factor)
         self.scale *= factor
@@ -348,7 +348,7 @@ class Window(QtWidgets.QMainWindow):
         self.sliders.written.connect(self.write)
         self.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self.sliders)
         self._seen = None
-        self._timer = QtCore.QTimer(self)  # editors write files in ways that not every file watcher notices
+        self._timer = QtCore.QTimer(self)  # file watchers miss some editors' ways of saving
         self._timer.timeout.connect(self.look)
         self._timer.start(150)
         self.look()

@@ -116,7 +116,7 @@ def _checked(value):
     return MathTree.wrap(value)
 
 
-# Handles of kokopelli's window (points, sliders, lines), which a comment at the top of a script keeps
+# Handles of kokopelli's window (points, sliders, lines), stored in a comment at the top of a script
 
 HEADER = re.compile(r"\A\s*##    Geometry header    ##\n(.*?)\n##    End of geometry header    ##[^\n]*\n", re.DOTALL)
 
@@ -181,7 +181,7 @@ def handles_of(header):
 
 
 def _modules(python2_math):
-    """Returns those of kokopelli's modules that scripts use, by name."""
+    """Returns kokopelli's modules for scripts, by name."""
     shapes = {name: getattr(kokopelli, name) for name in kokopelli.__all__}
     shapes.update(X=MathTree.X(), Y=MathTree.Y(), Z=MathTree.Z(), math=python2_math)
     flat = {name: value for name, value in shapes.items() if name != "text"}
@@ -212,7 +212,7 @@ def _modules(python2_math):
 
 @contextlib.contextmanager
 def _in_place(modules):
-    """Context manager that installs modules in sys.modules."""
+    """Context manager that installs modules in sys.modules temporarily."""
     before = {name: sys.modules.get(name) for name in modules}
     sys.modules.update(modules)
     try:

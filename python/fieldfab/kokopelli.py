@@ -213,7 +213,7 @@ def color(part, rgb):
     return painted
 
 
-# Moving and bending; angles in degrees. The functions of points that placed() takes say where a point of the part goes.
+# Moving and bending; angles in degrees. placed() takes functions that map points of the part.
 
 
 def move(part, dx, dy, dz=0):

@@ -16,8 +16,8 @@ import operator
 from . import kokopelli as k
 from .pcb import placed_point
 
-LABEL = 0.03  # height of letters
-WIDTH = 0.016  # of traces, unless told otherwise
+LABEL = 0.03  # height of letters, inches
+WIDTH = 0.016  # default width of traces, inches
 
 
 def _all(shapes):
@@ -180,7 +180,7 @@ class PCB:
         return [k.color(shape, rgb) for shape, rgb in layers if shape is not None]
 
 
-# Parts: half the sides of their pads, and the places of their pins
+# Parts: half the sides of their pads, and the positions of their pins
 
 
 def _pad(dx, dy):

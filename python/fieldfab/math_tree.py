@@ -40,7 +40,7 @@ class MathTree(Solid):
         super().__init__(_core.parse_math(math) if isinstance(math, str) else math)
         self.shape = bool(getattr(math, "shape", isinstance(math, Solid)) if shape is None else shape)
         self.color = color
-        self._bounds = None  # not looked for yet
+        self._bounds = None  # not yet searched
 
     @staticmethod
     def wrap(value):

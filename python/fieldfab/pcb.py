@@ -1,4 +1,4 @@
-"""A small library for circuit boards: parts with named pads, traces between them, and what the mill or the laser needs.
+"""A small library for circuit boards: parts with named pads, traces, and shapes for a mill or a laser cutter.
 
     import fieldfab as ff
     from fieldfab import pcb

@@ -34,7 +34,7 @@ OPENING, CLOSING = {"(", "[", "{"}, {")", "]", "}"}
 BLANK = {"space", "comment", "join", "newline"}
 COMPOUND = {"if", "elif", "else", "while", "for", "try", "except", "finally", "with", "def", "class"}  # ':' ends them
 NEW_KEYWORDS = {"async", "await", "nonlocal"}
-TAB = 8  # columns, whatever an editor shows
+TAB = 8  # columns, as in Python 2
 PARAMETER = "_tuple_parameter_"
 
 
@@ -232,7 +232,7 @@ def rewritten(text):
             token.text = "!="
         elif token.text == "`":
             ticks += 1
-            token.text = "repr(" if ticks % 2 else ") "  # neither is a bracket of its own for what follows
+            token.text = "repr(" if ticks % 2 else ") "  # later passes count neither as a bracket
     taken = {}
     _tuple_parameters(tokens, taken)
     for statement in _statements(tokens):
@@ -335,7 +335,7 @@ def compiled(text, filename):
     """Compiles Python 2 text. Raises SyntaxError with the line numbers of the text."""
     changed, taken = rewritten(text)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of escapes such as "\d", which were in order
+        warnings.simplefilter("ignore")  # of escapes such as "\d", valid in Python 2
         tree = ast.parse(changed, filename)
         futures = {each.name for node in tree.body if isinstance(node, ast.ImportFrom) and node.module == "__future__"
                    for each in node.names}

@@ -105,7 +105,7 @@ def filter_(function, values):
 
 def round_(value, digits=0):
     """Returns a float; halves are rounded away from zero."""
-    if not abs(value) < 1e22:  # no digits behind the point, infinite or no number
+    if not abs(value) < 1e22:  # an integer, infinite or NaN
         return float(value)
     return float(decimal.Decimal(value).quantize(decimal.Decimal(1).scaleb(-digits), decimal.ROUND_HALF_UP))
 
@@ -126,7 +126,7 @@ class Random(random.Random):
         return int(self.random() * n)
 
 
-# Attributes with another meaning: of dictionaries, lists, texts, functions, iterators, and of modules.
+# Attributes with another meaning in Python 3: of dictionaries, lists, texts, functions, iterators and modules.
 
 DICTIONARY = {
     "has_key": lambda d: d.__contains__, "keys": lambda d: lambda: list(d.keys()),
@@ -183,7 +183,7 @@ def modules():
     made = {old: importlib.import_module(new) for old, new in renamed.items()}
     made["StringIO"] = made["cStringIO"] = io
     numbers_ = Random()
-    for name in ("random", "string", "itertools", "operator", "math"):  # copies, for `from string import letters`, too
+    for name in ("random", "string", "itertools", "operator", "math"):  # copies, also for `from string import letters`
         made[name] = types.ModuleType(name)
         vars(made[name]).update({**MODULES.get(name, {}), **vars(importlib.import_module(name))})
     vars(made["math"]).update(MATH)

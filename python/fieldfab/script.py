@@ -1,7 +1,7 @@
-"""Runs a model script for the `fieldfab` command: `python3 -m fieldfab.script MODEL`, the answer on standard output.
+"""Runs a model script for the `fieldfab` command: `python3 -m fieldfab.script MODEL` prints the result.
 
-MODEL is a Python script (.py) or one of kokopelli's (.ko). What the script prints goes to standard error. The answer
-is "ok" and .frep text, in which `part(...)` gives a solid its name and colour, or "error", the line and a message.
+MODEL is a Python script (.py) or one of kokopelli's (.ko). Output of the script goes to standard error. The result is
+"ok" and .frep text, in which `part(...)` gives a solid its name and colour, or "error", the line and a message.
 """
 
 import ctypes
@@ -97,7 +97,7 @@ def answer(path):
         return "error 0 the script needs more memory than there is"
     except KeyboardInterrupt:
         return "error 0 interrupted"
-    except BaseException as error:  # whatever it raises, the answer is one line
+    except BaseException as error:  # the result is one line for any exception
         line = where(error, path)
         ours = isinstance(error, NoSolid) or type(error).__module__ == "fieldfab._core"
         plain = ours or (line == 0 and isinstance(error, ValueError))

@@ -8,7 +8,7 @@ WIDTHS = {letter: width for width, letters in {
     0.5: "Ik4", 0.525: "bd",
     0.55: "eghJnoSpquxy236890+/? ", 0.57: "C", 0.575: "BPR", 0.58: "a", 0.6: "DEFGHKLmNOQTUVvZz78", 0.65: "5", 0.7: "0",
     0.8: "AMWwXY"}.items() for letter in letters}
-OTHER = 0.6  # of a letter that kokopelli does not know
+OTHER = 0.6  # width of a letter that kokopelli lacks
 
 
 def width_of(line):

@@ -14,20 +14,20 @@ import numpy as np
 
 sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"]
 
-RADIUS, STEPOVER = 3.0, 0.2  # of the tool; in diameters
+RADIUS, STEPOVER = 3.0, 0.2  # radius of the tool, mm; in diameters
 CIRCLE = (30, 30, 9)
 SQUARE = (60, 78, 15, 30)
 TRIANGLE = [(50, 52), (72, 50), (66, 66)]
 
 
 def edge(a, b):
-    """Right of the line from a to b."""
+    """Returns the formula of the half-plane to the right of the line from a to b."""
     length = math.dist(a, b)
     return f"((x-{a[0]})*{(b[1] - a[1]) / length:.12g} - (y-{a[1]})*{(b[0] - a[0]) / length:.12g})"
 
 
 def pocket():
-    """The pocket as a formula: negative where there is to be cleared."""
+    """Returns the pocket's formula: negative in the area to clear."""
     x0, x1, y0, y1 = SQUARE
     sides = [edge(TRIANGLE[i], TRIANGLE[(i + 1) % 3]) for i in range(3)]
     islands = [
@@ -80,7 +80,7 @@ def ours():
 
 
 def arc(a, b, bulge):
-    """Points along a straight or bent way."""
+    """Returns points along a straight or circular move."""
     if bulge == 0:
         return np.array([a, b])
     chord = b - a
@@ -123,7 +123,7 @@ def freecad():
 
 
 def engagement(ways, cell=0.05):
-    """Width cut by each millimetre of the cutting ways (True), by stamping discs on a lattice."""
+    """Returns the width of cut for each millimetre of the feeds (True), from discs stamped on a lattice."""
     left = np.zeros((int(80 / cell), int(100 / cell)), bool)
     y, x = np.mgrid[0 : left.shape[0], 0 : left.shape[1]]
     x, y = (x + 0.5) * cell, (y + 0.5) * cell

@@ -1,5 +1,4 @@
-"""How many models have certain meshes, and what looking for that costs: the processor time of mesh() against mesh(depth
-= 0), and triangles.
+"""Counts the models with certain meshes. Compares mesh() with mesh(depth = 0): processor time and number of triangles.
 
     PYTHONPATH=build/release/python /usr/bin/python3 tests/bench/certainty_figures.py examples/*.frep
 """

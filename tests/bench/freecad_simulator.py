@@ -1,9 +1,9 @@
-"""FreeCAD's simulator (PathSimulator, a height field) and ours, on the same jobs, one after the other in one process.
+"""Compares FreeCAD's simulator (PathSimulator, a height field) with ours on the same jobs in one process.
 
 Level and waves: 10,100 moves of 1 mm of a 6 mm cutter over a block of 100 x 100 mm at 0.1 mm, each row at one height,
-or up and down: seconds to cut, and to make the mesh. (Theirs joins level triangles into one.)
-Groove: a 6 mm ball goes along a sloping line and back, 101 times in 100 moves each, at 0.1 mm: moves a second, and the
-distance of the middles of the groove's triangles from the true groove, mm.
+or up and down: seconds to cut, and to make the mesh. (FreeCAD merges coplanar level triangles.) Groove: a 6 mm ball
+goes along a sloping line and back, 101 times in 100 moves each, at 0.1 mm: moves per second, and the distance of the
+groove's triangle centres from the true groove, mm.
 
 Figures of one thread: `taskset -c 0 /usr/bin/python3 tests/bench/freecad_simulator.py`."""
 
@@ -30,9 +30,9 @@ def timed(work):
 
 
 def freecad(box, ball, way):
-    """Seconds to cut, seconds to mesh, corners of the triangles."""
+    """Returns seconds to cut, seconds to mesh, and corners of the triangles."""
     low, size = FreeCAD.Vector(*box[:3]), [float(b - a) for a, b in zip(box[:3], box[3:])]
-    # Its half section, turned about the axis.
+    # Half of its section, revolved about the axis.
     v = FreeCAD.Vector
     if ball:
         lower = Part.Arc(v(0, 0, 0), v(RADIUS * np.sqrt(0.5), 0, RADIUS * (1 - np.sqrt(0.5))),
@@ -68,7 +68,7 @@ def ours(box, ball, way):
 
 
 def best(simulate, *job):
-    """The quickest of some runs, by the sum."""
+    """Returns the run with the least total time."""
     return min((simulate(*job) for _ in range(REPEATS)), key=lambda run: run[0] + run[1])
 
 
@@ -93,7 +93,7 @@ def groove():
     print(f"groove, {len(way) - 1} moves: moves a second, mean error mm, worst error mm")
     for name, simulate in (("FreeCAD", freecad), ("ours", ours)):
         cutting, _, corners = best(simulate, box, True, way)
-        # Those all of whose corners lie inside of the block, beside the way: not those of its faces, nor of the rim.
+        # Triangles with all corners inside the block: without those of its faces and of the groove's rim.
         inside = ((corners > np.array(box[:3]) + 1e-3) & (corners < np.array(box[3:]) - 1e-3)).all(axis=(1, 2))
         middles = corners.mean(axis=1)
         centre, along = start + [0, 0, RADIUS], end - start

@@ -1,5 +1,5 @@
-"""Draws docs/figures/fig_2_4.png, 2_5, 2_6 and the costs of f-reps from the CSV files that asdf_figures and
-frep_figures wrote into that folder. Prints the slopes of the log-log plots."""
+"""Draws docs/figures/fig_2_4.png, 2_5, 2_6 and the costs of f-reps from the CSV files of asdf_figures and frep_figures
+in that folder. Prints the slopes of the log-log plots."""
 
 import csv
 import math

@@ -1,5 +1,6 @@
-"""How long a drag waits for its picture: from a request with a new text, 800 x 600 pixels, to the coarse and to the
-fine picture, through `fieldfab serve` and its WebSocket on this machine. Then 50 clients at once. Prints percentiles.
+"""Measures the latency of pictures during a drag: from a request with a new text to the coarse and to the fine picture
+of 800 x 600 pixels, through the WebSocket of `fieldfab serve` on this machine. Then 50 clients at once. Prints
+percentiles.
 
     PYTHONPATH=build/release/python python3 tests/bench/web_drag.py [SECONDS]
 """
@@ -12,9 +13,9 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
-from web_server import Server, Socket  # noqa: E402: it lies there
+from web_server import Server, Socket  # noqa: E402
 
-import fieldfab as ff  # noqa: E402: after the tests' conftest, which knows the build
+import fieldfab as ff  # noqa: E402: after the tests' conftest, which finds the build
 
 DATA = ROOT / "tests" / "data" / "frep"
 BETWEEN = 0.3  # seconds of rest after a fine picture
@@ -42,8 +43,8 @@ def told(name, seconds):
 
 
 async def drag(server, name, model, window, comment, seconds):
-    """Asks for one picture after the other, as the page does: the next when the coarse one is there, and now and then a
-    rest until the fine one is."""
+    """Requests pictures as the page does: the next one after the coarse picture, with occasional pauses until the fine
+    one."""
     coarse, fine, number, near = [], [], 0, None
     async with Socket(server) as socket:
         end = time.monotonic() + seconds
@@ -87,7 +88,7 @@ async def client(server, seconds, number, waits):
 
 
 def memory(server):
-    """kB of the server and its workers."""
+    """Returns the memory of the server and its workers, kB."""
     return sum(int(line.split()[1]) for process in (server.process.pid, *server.workers())
                for line in open(f"/proc/{process}/status") if line.startswith("VmRSS"))
 

@@ -31,9 +31,9 @@ def run(*arguments, check=True):
 
 
 def compare(path_to_program, moves, **keywords):
-    """LinuxCNC's canonical moves equal ours to 1e-4 mm, vertex for vertex, arcs with their centres."""
+    """Asserts that LinuxCNC's canonical moves equal ours to 1e-4 mm: end points, and centres of arcs."""
     ours = np.vstack(moves)
-    written = [[f"{v:.5f}" for v in move[:3]] for move in ours]  # moves to where the tool is are not
+    written = [[f"{v:.5f}" for v in move[:3]] for move in ours]  # moves of length 0 are not written
     keep = [i for i in range(len(ours)) if i == 0 or written[i] != written[i - 1] or ours[i, 4] != 0]
     theirs, kinds, centres = rs274.moves(path_to_program, **keywords)
     ours = ours[keep]
@@ -191,7 +191,7 @@ def test_all_machines_of_kokopelli_and_the_fab_modules_are_there():
 
 @pytest.mark.parametrize("machine", [m for m in MACHINES if m not in ("png", "stl")])
 def test_every_machine_writes_the_same_part(tmp_path, machine):
-    """The number of moves, and the size of the part in the machine's units, are in every file."""
+    """Every file has the same number of moves, and the size of the part in the machine's units."""
     import re
 
     flat = machine in LASERS
@@ -223,7 +223,7 @@ def test_every_machine_writes_the_same_part(tmp_path, machine):
 
 
 def test_a_machine_is_one_file(tmp_path):
-    """docs/machines.md promises a machine in ten minutes. This is all of one, with a unit, a template of its own, and a
+    """docs/machines.md promises a machine in ten minutes. This is a complete one, with a unit, a template and a
     material."""
     (tmp_path / "mine.toml").write_text(
         'name = "My foam cutter"\nextension = ".foam"\ntick = 0.1\ntakes = "flat paths"\n'
@@ -319,8 +319,8 @@ def turn(axis, degrees):
 
 
 def tip_and_axis(machine, x, y, z, a, b, c, length):
-    """Returns where the tip is in the work and where the tool points, from axis values. Written from what the axes do,
-    apart from the library."""
+    """Returns the tip in workpiece coordinates and the tool's direction, from axis values. Derived from the axes'
+    geometry, independently of the library."""
     p, up = np.array([x, y, z]), np.array([0.0, 0, 1])
     if machine == "five_axis_ac":  # A tilts the trunnion about x; C turns the plate on it
         work = turn("x", a) @ turn("z", c)
@@ -331,7 +331,7 @@ def tip_and_axis(machine, x, y, z, a, b, c, length):
     if machine == "five_axis_tcp":
         work = turn("x", a) @ turn("z", c)
         return p, work.T @ up
-    if machine == "five_axis_head":  # C carries B; x, y, z move the pivot, counted from the tip of a tool pointing down
+    if machine == "five_axis_head":  # C carries B; x, y, z move the pivot; zero is the tip of a vertical tool
         axis = turn("z", c) @ turn("y", b) @ up
         return p + (150 + length) * (up - axis), axis
     if machine == "five_axis_mixed":
@@ -346,7 +346,7 @@ def tip_and_axis(machine, x, y, z, a, b, c, length):
 def test_five_axis_programs_put_the_tip_where_it_was_planned(tmp_path, machine, plane):
     path = job(tmp_path, FIVE.replace("MACHINE", machine).replace("PLANE", plane), part_frep=BLOCK)
     run("cam", path, "-o", tmp_path / "out.ngc")
-    text = "".join(line for line in open(tmp_path / "out.ngc") if not line.startswith("M42"))  # rs274 knows no M428
+    text = "".join(line for line in open(tmp_path / "out.ngc") if not line.startswith("M42"))  # rs274 lacks M428
     (tmp_path / "out.ngc").write_text(text)
     planned = ff.cam.Job(path)
     planned.run()
@@ -361,7 +361,7 @@ def test_five_axis_programs_put_the_tip_where_it_was_planned(tmp_path, machine, 
     for row, planned_row in zip(theirs, ours):
         tip, axis = tip_and_axis(machine, *row, length=40)
         assert np.abs(axis - planned_row[5:8]).max() < 2e-5
-        # four decimals of a degree, seen from the pivot
+        # Four decimals of a degree, times the distance from the pivot.
         bound = 6e-4 if machine in ("five_axis_head", "five_axis_mixed") else 3e-4
         assert np.abs(tip - planned_row[:3]).max() < bound
     assert len({tuple(np.round(a, 3)) for a in ours[:, 5:8]}) >= 5
@@ -370,7 +370,7 @@ def test_five_axis_programs_put_the_tip_where_it_was_planned(tmp_path, machine, 
 @pytest.mark.parametrize("machine",
                          ["five_axis_ac", "five_axis_bc", "five_axis_tcp", "five_axis_head", "five_axis_mixed"])
 def test_a_leaning_tool_stays_on_its_way_between_poses(tmp_path, machine):
-    """All axes go evenly from line to line: the tip that follows from that is on the planned way."""
+    """All axes move linearly from line to line; the resulting tip stays on the planned path."""
     text = FIVE.replace("MACHINE", machine).replace('plane = "PLANE"', "lean = true\nfeed = 500")
     path = job(tmp_path, text.replace("stepover = 0.5", "stepover = 0.4"), part_frep=DOME)
     run("cam", path, "-o", tmp_path / "out.ngc")
@@ -383,7 +383,7 @@ def test_a_leaning_tool_stays_on_its_way_between_poses(tmp_path, machine):
     poses = [tip_and_axis(machine, *row, length=40) for row in theirs]
     at, leaning = 0, 0
     for i, (tip, axis) in enumerate(poses):
-        # The planned move that this one is a part of.
+        # The planned move that contains this one.
         while at + 1 < len(ours) and np.abs(ours[at, :3] - tip).max() + np.abs(ours[at, 5:8] - axis).max() > 2e-3:
             a, b = ours[at - 1, :3], ours[at, :3]
             share = np.clip((tip - a) @ (b - a) / max((b - a) @ (b - a), 1e-12), 0, 1)
@@ -395,7 +395,7 @@ def test_a_leaning_tool_stays_on_its_way_between_poses(tmp_path, machine):
             continue
         leaning += axis[2] < 0.98
         if machine == "five_axis_tcp":
-            continue  # the control keeps the tip on its way
+            continue  # the control keeps the tip on its path
         a, b = poses[i - 1][0], tip
         for share in (0.2, 0.4, 0.6, 0.8):
             between, _ = tip_and_axis(machine, *(theirs[i - 1] + share * (theirs[i] - theirs[i - 1])), length=40)
@@ -429,13 +429,13 @@ def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
     text = open(tmp_path / "out.sbp").read()
     for plane in ("top", "back", "front", "left", "right"):
         assert f"({plane})" in text or f" {plane} " in text
-    # between planes the head is upright
+    # Between planes the head is upright.
     assert text.count("M5,,,,0,0") >= 4
 
 
 def test_a_smaller_tool_finishes_the_rest(tmp_path):
-    """Rest machining goes round the foot of the dome, where the larger ball does not reach. It needs an operation whose
-    rest it is."""
+    """Rest machining cuts around the foot of the dome, out of reach of the larger ball. It requires an earlier
+    operation."""
     dome = "min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-15, max(abs(y)-12, abs(z+1)-1)))"
     rest = '[[operation]]\ntype = "finish"\ntool = 2\nrest = true\n'
     text = SOLID.replace("diameter = 4", "diameter = 6").replace(
@@ -445,7 +445,7 @@ def test_a_smaller_tool_finishes_the_rest(tmp_path):
     planned.run()
     whole, moves = planned.moves
     cut = moves[moves[:, 3] > 0]
-    # Not on the dome's top, nor far out on the plate.
+    # Neither on the dome's top nor far out on the plate.
     away = np.hypot(cut[:, 0], cut[:, 1])
     inside = (np.abs(cut[:, 0]) < 14) & (np.abs(cut[:, 1]) < 11)
     assert ((away[inside] > 7.5) & (away[inside] < 12.5)).mean() > 0.99
@@ -456,7 +456,7 @@ def test_a_smaller_tool_finishes_the_rest(tmp_path):
 
 
 def test_a_second_finish_is_not_a_rest(tmp_path):
-    """Without rest = true a finish cuts all, whatever came before on the same plane."""
+    """Without rest = true a finish cuts everything, regardless of earlier operations on the same plane."""
     finish = '[[operation]]\ntype = "finish"\ntool = 1\nstepover = 0.3\n'
     path = job(tmp_path, SOLID + finish + "allowance = 0.3\n" + finish, part_frep=DOME)
     planned = ff.cam.Job(path)
@@ -508,7 +508,7 @@ def test_a_three_axis_machine_stops_for_turning_the_part(tmp_path):
     planned = ff.cam.Job(path)
     planned.run()
     top, bottom = planned.moves
-    # The groove is in the top side only; turned over, what is up is flat, and zero is on it.
+    # Only the top side has the groove. After the part is turned over, its upper face is flat and at z = 0.
     assert top[top[:, 3] > 0][:, 2].min() < -2.5
     for before, after in zip(bottom[:-1], bottom[1:]):
         if after[3] > 0:
@@ -554,13 +554,13 @@ def test_rapids_clear_a_height_map_that_is_higher_than_the_stock(tmp_path):
     planned = ff.cam.Job(path)
     planned.run()
     moves = planned.moves[0]
-    highest = moves[moves[:, 3] > 0][:, 2].max()  # of what is cut; the stock's top is the picture's own, at 2 or so
+    highest = moves[moves[:, 3] > 0][:, 2].max()  # of the cuts; the picture sets the stock's top, at about 2
     assert highest > 30
     assert moves[0, 2] == pytest.approx(highest + 5)
 
 
 def test_what_panels_are_made_from():
-    """The graph tells all of its settings, and each `needs` names one beside it."""
+    """The graph lists all of its settings, and each `needs` names a setting of the same node."""
     stages = {s["name"]: s for s in ff.cam.stages()}
     joining = ff.cam.joining_settings()
     for stage in stages.values():
@@ -583,7 +583,7 @@ def test_a_job_of_a_part_that_is_given(tmp_path):
             '[[operation]]\ntype = "rough"\ncell = 0.4\n')
     by_file = ff.cam.Job(job(tmp_path, text.format(model='model = "part.frep"\n', stock="margin = 2"), part_frep=DOME))
     given = ff.cam.Job.parse(text.format(model="", stock="margin = 2"), ff.parse(DOME))
-    # The same stock, as the model counts.
+    # The same stock in model coordinates.
     lower, upper = (np.reshape(by_file.stock, (2, 3)) + by_file.zero).tolist()
     placed = ff.cam.Job.parse(text.format(model="", stock=f'coordinates = "model"\nlower = {lower}\nupper = {upper}'),
                               ff.parse(DOME))
@@ -606,7 +606,7 @@ RIB = "move(box(40, 30, 4), dz = -2) | move(box(0.0004, 20, 5), dx = 3.1234, dz 
 
 @pytest.mark.parametrize("operation", ['type = "finish"\ntool = 2', 'type = "rough"\ntool = 2'])
 def test_a_rib_thinner_than_any_sample_is_not_cut(tmp_path, operation):
-    """A wall of 0.4 micrometres, of which no sample of the height map knows: the tool stays above it."""
+    """A wall of 0.4 micrometres lies between the height map's samples; the tool stays above it."""
     path = job(tmp_path, SOLID + "[[operation]]\n" + operation, part_frep=RIB)
     planned = ff.cam.Job(path)
     planned.run()
@@ -621,7 +621,7 @@ def test_a_rib_thinner_than_any_sample_is_not_cut(tmp_path, operation):
 
 
 def test_an_outline_tells_of_walls_thinner_than_its_cells(tmp_path):
-    """Cells are halved until a wall shows; one that is thinner still is named."""
+    """Cells are halved until a wall is resolved; a still thinner wall is reported."""
     slot = '[[operation]]\ntype = "profile"\ncell = 0.2'
     for width, told in ((0.03, False), (0.0001, True)):
         path = job(tmp_path, FLAT + slot, part_frep="rotate_z(max(abs(x) - 15, "

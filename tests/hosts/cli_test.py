@@ -1,4 +1,4 @@
-"""The command: its verbs, its one line, its exit codes, and what it does to files."""
+"""The command: its verbs, one-line messages, exit codes, and effects on files."""
 
 import json
 import math
@@ -63,7 +63,7 @@ def test_build_mesh_of_asdf_and_convert(ball, tmp_path):
 
 def test_certainty_of_a_distance_field(ball, tmp_path):
     assert summary("build", ball, "-o", tmp_path / "ball.asdf", "--certain")["certain"]
-    (tmp_path / "plate.frep").write_text("box(100, 80, 0.5)")  # default cells are as small as that takes, to a quarter
+    (tmp_path / "plate.frep").write_text("box(100, 80, 0.5)")  # default cells are refined for it, to a quarter
     assert summary("build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--certain")["certain"]
     made = summary("mesh", tmp_path / "plate.asdf", "-o", tmp_path / "plate.stl", "--voxel", 0.1)
     assert made["volume"] == pytest.approx(4000, rel=0.01)
@@ -170,7 +170,7 @@ def test_full_disk(ball):
 
 
 def link_to_full(beside):
-    """A name with a mesh's extension for the device that is always full."""
+    """Returns a link to /dev/full with a mesh's extension."""
     link = beside.parent / "full.stl"
     link.symlink_to("/dev/full")
     return link
@@ -213,7 +213,7 @@ def test_help():
 
 
 def test_meshes_are_models(tmp_path):
-    """A cube without one of its sides, inside out, comes back closed and valid; so does one whose parts overlap."""
+    """An inverted cube without one side becomes closed and valid, and so does a mesh with overlapping parts."""
     corners = [(x, y, z) for z in (0, 10) for y in (0, 10) for x in (0, 10)]
     sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
 
@@ -227,7 +227,7 @@ def test_meshes_are_models(tmp_path):
 
     whole = write("whole.off", sides)
     made = summary("mesh", whole, "-o", tmp_path / "a.stl", "--voxel", 0.5)
-    # Its edges are sharp, its sides flat.
+    # Edges are sharp, sides are flat.
     assert made["volume"] == pytest.approx(1000, rel=1e-6) and made["triangles"] < 100
     turned = summary("mesh", write("turned.off", sides, True), "-o", tmp_path / "a.stl", "--voxel", 0.5)
     assert turned["volume"] == pytest.approx(1000, rel=1e-3)

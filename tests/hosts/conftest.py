@@ -1,4 +1,4 @@
-"""Where the build is, for the tests of the command, of Python and of FreeCAD."""
+"""Finds the build for the tests of the command, of Python and of FreeCAD."""
 
 import os
 import pathlib
@@ -14,8 +14,8 @@ sys.path.insert(0, str(BUILD / "python"))
 
 
 def pytest_collection_modifyitems(items):
-    """With several workers the tests of a file stay with one of them, since its fixtures take long. Tests in FreeCAD
-    are distributed one by one, since each starts its own."""
+    """Assigns all tests of a file to one pytest worker, since its fixtures are slow. Tests in FreeCAD are distributed
+    individually, since each starts its own FreeCAD."""
     for item in items:
         if item.path.name != "freecad_inside_test.py":
             item.add_marker(pytest.mark.xdist_group(item.path.stem))

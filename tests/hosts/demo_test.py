@@ -1,4 +1,4 @@
-"""The demo's page of static files, opened from a disk: coloured models that mouse and keys turn, a film, the table of
+"""The demo's page of static files, opened from a disk: coloured models rotated by mouse and keys, a film, the table of
 checks."""
 
 import sys
@@ -12,7 +12,7 @@ from selenium.webdriver.common.keys import Keys
 from web_server import chromium, wait_until
 
 sys.path.insert(0, str(ROOT / "packaging"))
-import demo  # noqa: E402: it lies there
+import demo  # noqa: E402
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +31,7 @@ def page(folder):
         yield driver
 
 
-# What a canvas shows, as text to compare, and how many of its pixels have a colour.
+# A canvas's picture as text for comparison, and its number of coloured pixels.
 PIXELS = """
     const canvas = arguments[0].querySelector("canvas"), copy = new OffscreenCanvas(canvas.width, canvas.height);
     const context = copy.getContext("2d");
@@ -81,7 +81,7 @@ def test_the_film_plays(page):
 
 
 def test_the_page_is_whole(page, folder):
-    """Every file that it names is there, nothing comes from elsewhere, and the checks are told."""
+    """All files that the page names exist, it loads no external resources, and it shows the checks."""
     named = page.execute_script(
         "return [...document.querySelectorAll('[src], [href]')].map((each) => each.src || each.href)")
     assert len(named) > 10 and all(each.startswith(f"file://{folder}/") for each in named)

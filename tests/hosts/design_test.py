@@ -1,4 +1,4 @@
-"""kokopelli's names and the board library, against closed forms and what they are built on."""
+"""kokopelli's names and the board library, against closed forms and Fieldfab's own functions."""
 
 import math
 

@@ -1,9 +1,8 @@
-"""README.md, CONTRIBUTING.md, docs/*.md and the code in docstrings of Python. Each command is run as it is written
-there; each session of Python is compared with what it prints; each model, job, set-up and script is read; each option,
-file and heading that is named must exist.
+"""README.md, CONTRIBUTING.md, docs/*.md and the code in docstrings of Python. Each command is run as written. The
+output of each Python session is compared. Each model, job, set-up and script is read. All named options, files and
+headings must exist.
 
-Files that a document names without bringing them (part.scad, scan.nrrd) are in GIVEN; words in capitals are in
-PLACEHOLDERS."""
+GIVEN makes files that a document only names (part.scad, scan.nrrd). PLACEHOLDERS replaces words in capitals."""
 
 import ast
 import contextlib
@@ -30,7 +29,7 @@ from fieldfab import koko_script
 SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the windows
 SECONDS = 120  # for a command
 
-# Commands that are not run here, and why.
+# Commands that are not run here, with the reason.
 NOT_RUN = {
     "./dev test": "runs this very test",
     "./dev demo": "takes minutes",
@@ -59,12 +58,12 @@ NOT_RUN = {
     "ffmpeg -i FOLDER/frame_%04d.png film.mp4": "ffmpeg is none of Fieldfab's packages",
 }
 
-# Commands that open a window, and what its title begins or ends with.
+# Commands that open a window, with a pattern of its title.
 WINDOWS = {r"\./dev freecad\b": "^FreeCAD", r"\./dev meshlab\b": "^MeshLab", r"\S*fieldfab edit\b": "Fieldfab$"}
 
-SERVES = r"\S*fieldfab serve\b(?!.*--help)"  # goes on until it is ended
+SERVES = r"\S*fieldfab serve\b(?!.*--help)"  # runs until it is stopped
 
-# What words in capitals stand for, one after the other.
+# Replacements of words in capitals.
 PLACEHOLDERS = {
     "VERB": ["build", "mesh", "render", "check", "info", "convert", "edit", "cam", "simulate", "openscad", "serve"],
     "JOB.toml": ["examples/cam/pcb_modela.toml"],
@@ -90,7 +89,7 @@ def text(words):
 
 
 def scan(path):
-    """Of a ball of 9 mm, with a scanner's 12 bits and a blurred surface: the scans of tests/data have 8 bits."""
+    """Writes a scan of a ball of 9 mm, with 12 bits and a blurred surface (the scans of tests/data have 8 bits)."""
     z, y, x = np.mgrid[-12:12.1:0.5, -12:12.1:0.5, -12:12.1:0.5]
     densities = np.round(1000 / (1 + np.exp((np.sqrt(x**2 + y**2 + z**2) - 9) / 0.3))).astype("<i2")
     head = ("NRRD0004\ntype: short\ndimension: 3\nsizes: 49 49 49\nspacings: 0.5 0.5 0.5\nendian: little\n"
@@ -112,7 +111,7 @@ def job(path):
     path.write_text(JOB)
 
 
-# Made where a command names one that no command before it has made.
+# Makers of files that a command names and no earlier command has written.
 GIVEN = {
     "part.scad": copy_of("tests/data/openscad/knurl.scad"),
     "knob.scad": text(
@@ -135,7 +134,7 @@ def given_in(words):
     return [name for name in GIVEN if re.search(rf"(?<![\w./-]){re.escape(name)}\b", words)]
 
 
-# What a document's commands find.
+# Folders and processes of a document's commands
 
 
 @pytest.fixture(scope="module")
@@ -150,15 +149,15 @@ def folders(tmp_path_factory):
             for each in ROOT.iterdir():
                 if each.name not in ("build", "out", "cam", "examples", "dev", ".git"):
                     (folder / each.name).symlink_to(each)
-            shutil.copy(ROOT / "dev", folder / "dev")  # it works in the folder where it is
+            shutil.copy(ROOT / "dev", folder / "dev")  # it works in its own folder
             shutil.copytree(ROOT / "examples", folder / "examples", ignore=shutil.ignore_patterns("fieldfab-cache"))
             shutil.copytree(ROOT / "cam", folder / "cam")
             (folder / "build").mkdir()
             (folder / "build" / "release").symlink_to(BUILD)
             (folder / "home" / "bin").mkdir(parents=True)
-            (folder / "home" / "bin" / "cmake").write_text("#!/bin/sh\n")  # ./dev builds first, and the build is there
+            (folder / "home" / "bin" / "cmake").write_text("#!/bin/sh\n")  # ./dev builds first; the build exists
             (folder / "home" / "bin" / "cmake").chmod(0o755)
-            (folder / "home" / "bin" / "python3").symlink_to("/usr/bin/python3")  # where another one comes first
+            (folder / "home" / "bin" / "python3").symlink_to("/usr/bin/python3")  # another one may precede it in PATH
         return made[document]
 
     return folder_of
@@ -175,7 +174,7 @@ def environment(folder, **more):
 
 @contextlib.contextmanager
 def started(command, folder, **more):
-    """A command under way, and the file that takes what it says; ended with all that it started."""
+    """Context manager of a running command and its output file; ends the command and its children."""
     log = folder / "home" / "said"
     log.parent.mkdir(exist_ok=True)
     with open(log, "w") as file:
@@ -185,14 +184,14 @@ def started(command, folder, **more):
     try:
         yield process, log
     finally:
-        for asked in (signal.SIGTERM, signal.SIGKILL):  # asked first, the command ends what it has started itself
+        for asked in (signal.SIGTERM, signal.SIGKILL):  # on SIGTERM the command ends its children itself
             with contextlib.suppress(ProcessLookupError, subprocess.TimeoutExpired):
                 os.killpg(process.pid, asked)
                 process.wait(5)
 
 
 def run(command, folder, **more):
-    """What it said; it must end well, and leave the files that it was to write."""
+    """Runs a command. Returns its output; asserts success and the existence of its output files."""
     for name in given_in(command):
         give(name, folder)
     outputs = [folder / name for name in re.findall(r" (?:-o|--picture|--sheet|--report|--histogram) (\S+)", command)]
@@ -210,7 +209,7 @@ def run(command, folder, **more):
 
 
 def forms(command):
-    """A command with and without what is in brackets, and with everything that its capitals may stand for."""
+    """Returns a command with and without its bracketed parts, and with all replacements of its capitals."""
     found = ([command] if "[-" not in command else [re.sub(r" \[-[^]]*\]", "", command),
                                                     re.sub(r"\[(-[^]]*)\]", r"\1", command)])
     for name, values in PLACEHOLDERS.items():
@@ -225,7 +224,7 @@ def opens_a_window(command):
 
 COMMANDS = [each for document in DOCUMENTS for each in document.commands]
 FIRST = {each.command: each for each in COMMANDS[::-1]}
-# A command that reads the source tree alone, or opens a window, does the same in every document.
+# Commands that only read the source tree, or open a window, run once for all documents.
 TO_RUN = [each for each in COMMANDS if each.command not in NOT_RUN
           and (FIRST[each.command] is each
                or not (opens_a_window(each.command) or re.match(r"fieldfab \w+ examples/", each.command)))]
@@ -251,7 +250,7 @@ def test_command(place, folders):
 
 
 def window_on(screen, title):  # noqa: F811
-    """The width of the largest window with that title; 0 where there is none."""
+    """Returns the width of the largest window with that title, or 0."""
     search = ["xdotool", "search", "--onlyvisible", "--name", title, "getwindowgeometry", "--shell", "%@"]
     said = subprocess.run(search, env={**os.environ, "DISPLAY": screen}, capture_output=True, text=True).stdout
     return max(map(int, re.findall(r"WIDTH=(\d+)", said)), default=0)
@@ -278,7 +277,7 @@ def test_command_opens_its_window(place, folders, screen):  # noqa: F811
 
 @each_of([each for each in TO_RUN if re.match(SERVES, each.command)])
 def test_command_serves(place, folders):
-    """It says where, and opens that in the browser (here: true)."""
+    """It prints its address and opens it in the browser (here: true)."""
     for command in forms(place.text):
         with started(command, folders(place.document), BROWSER="true") as (process, log):
             end = time.monotonic() + SECONDS
@@ -300,7 +299,7 @@ QtCore.QTimer.singleShot(1000, look)
 
 
 def test_dev_freecad_has_the_workbench_chosen(folders, screen):  # noqa: F811
-    """It starts, shows its start page, saves its settings and ends, and leaves the user's own as they were."""
+    """FreeCAD starts, shows its start page, saves its settings and ends. The user's own settings are unchanged."""
     folder = folders("README.md")
     (folder / "probe.py").write_text(PROBE)
     before = own_freecad(folder)
@@ -311,15 +310,15 @@ def test_dev_freecad_has_the_workbench_chosen(folders, screen):  # noqa: F811
 
 
 def own_freecad(folder):
-    """The user's settings and add-ons, and when they were changed."""
+    """Returns the user's settings and add-ons with their times of change."""
     return {path: path.lstat().st_mtime for name in (".config", ".local")
             for path in (folder / "home" / name).rglob("*")}
 
 
-# Blocks that are no commands.
+# Blocks other than commands
 
 LANGUAGES = {"sh", "frep", "toml", "openscad", "xml", "ko"}
-# Blocks of other languages, and which test runs them as they stand.
+# Blocks of other languages, with the test that runs them.
 ELSEWHERE = {
     ("docs/web.md", "javascript"): "hosts/web_page_test.py adds a node with this code",
     ("docs/install.md", "cmake"): "hosts/sdk_test.py builds with it",
@@ -331,7 +330,7 @@ ELSEWHERE = {
 }
 
 
-# The designs of examples/, without their titles, where a command runs the file.
+# Designs of examples/ without their titles, for which a command runs the file.
 RUN_AS_FILES = {path.read_text().partition("\n")[2].strip() for path in (ROOT / "examples" / "openscad").glob("*.scad")
                 if any(f"examples/openscad/{path.name}" in each.command for each in TO_RUN)}
 
@@ -342,7 +341,7 @@ def of_language(language):
 
 @of_language("frep")
 def test_formula(place):
-    assert ff.parse_parts(place.text, ROOT / "examples" / "assembly")  # whose files README opens
+    assert ff.parse_parts(place.text, ROOT / "examples" / "assembly")  # README opens its files
 
 
 @of_language("ko")
@@ -365,9 +364,9 @@ def test_job_machine_or_setup(place, tmp_path):
         run(f"'{COMMAND}' simulate air.ngc --setup setup.toml -o part.stl", tmp_path)
     else:
         assert "text" in tables or "kinematics" in tables
-        (tmp_path / "part.frep").write_text("move(box(20, 12, 4), 30, 30)\n")  # no place below 0
+        (tmp_path / "part.frep").write_text("move(box(20, 12, 4), 30, 30)\n")  # no negative coordinates
         machine = place.text
-        if "text" not in tables:  # the axes of a machine that has others
+        if "text" not in tables:  # only the axes of another machine
             head = (ROOT / "cam" / "machine" / "five_axis_head.toml").read_text()
             machine = re.sub(r"^\[kinematics\].*?(?=^\[(?!\[?kinematics))", lambda _: place.text + "\n", head,
                              flags=re.M | re.S)
@@ -405,7 +404,7 @@ def test_the_node_that_is_shown_is_one_of_the_example():
 # Code in docstrings: Python, or a command.
 
 
-# Sources outside the package whose docstrings have code, and where it is run.
+# Sources outside the package with code in docstrings, and the test that runs it.
 SCRIPTS = {
     "examples/simulation/slotted_ball.py": "hosts/simulate_test.py runs the script, and simulates its program",
     "tests/bench/adaptive_figures.py": "a benchmark, which takes minutes",
@@ -417,14 +416,14 @@ SCRIPTS = {
 
 
 def docstrings_of(path):
-    """Line and docstring of all in a source that has one."""
+    """Yields line and text of each docstring of a source."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
             yield getattr(node, "lineno", 1), ast.get_docstring(node)
 
 
 def docstrings():
-    """Module, line and docstring of all that has one: sources of the package, and what is compiled."""
+    """Yields module, line and text of each docstring, of the package's sources and of compiled modules."""
     for path in sorted((ROOT / "python" / "fieldfab").glob("*.py")):
         module = "fieldfab" if path.stem == "__init__" else f"fieldfab.{path.stem}"
         yield from ((module, line, words) for line, words in docstrings_of(path))
@@ -476,13 +475,13 @@ def test_public_headers_show_no_code():
 
 
 def test_the_first_screen_is_short_and_shows_what_it_is():
-    """All words above the second heading count, those of code, too."""
+    """All words above the second heading count, including code."""
     screen = (ROOT / "README.md").read_text(encoding="utf-8").split("\n## ")[0]
     assert len(screen.split()) <= 150
     assert "It is for people who" in screen and "](docs/figures/" in screen and "```frep" in screen
 
 
-# The lists above, and all else that is named.
+# The lists above, and other names
 
 
 def test_lists_name_what_documents_have():
@@ -499,7 +498,7 @@ def test_lists_name_what_documents_have():
 
 @pytest.fixture(scope="module")
 def options():
-    """The options of each verb by its help, and under None those of all programs."""
+    """Returns the options of each verb from its help; the key None has those of all programs."""
     told = (lambda *words, **more: set(
         re.findall(r"--[a-z][\w-]+", subprocess.run(words, capture_output=True, text=True, check=True, **more).stdout)))
     found = {verb: told(COMMAND, verb, "--help") | told(COMMAND, "--help") for verb in PLACEHOLDERS["VERB"]}
@@ -540,7 +539,7 @@ def test_links_lead_somewhere():
 
 
 def test_files_of_the_tree_exist():
-    """Where a path begins is not always said: `frep/tape.cpp` is anywhere."""
+    """Paths may be relative to any folder, such as `frep/tape.cpp`."""
     known = {str(path.relative_to(ROOT)) for top in ROOT.iterdir() if top.name not in ("build", "out", ".git")
              for path in [top, *top.rglob("*")]}
     ends = {path[n:] for path in known for n in range(len(path)) if n == 0 or path[n - 1] == "/"}

@@ -8,7 +8,7 @@ import typing
 
 from conftest import ROOT
 
-# `fieldfab mesh` and `fieldfab build --quantum` name, and are no commands
+# `fieldfab mesh` and `fieldfab build --quantum` are names, not commands.
 NAME_OF_VERB = r"fieldfab ([a-z]+)((?: --[\w-]+)*)"
 COMMAND_IN_PROSE = (r"(\./dev|ninja|fieldfab|freecad|freecadcmd|meshlab|meshlabserver|openscad|ffmpeg|python3) "
                     r"|build/release/bin/|[A-Z]+=\S+ ")
@@ -16,7 +16,7 @@ SHELLS = {"": "sh", "bash": "sh", "console": "sh"}
 
 
 class Place(typing.NamedTuple):
-    """Words and where they are. `session` is of Python: what stands below the command that starts it."""
+    """A text with its position. `session`: the Python session below the command that starts it."""
 
     document: str
     line: int
@@ -30,12 +30,12 @@ class Place(typing.NamedTuple):
 
     @property
     def command(self):
-        """Without its comment, and with single blanks."""
+        """The command without its comment, with single spaces."""
         return " ".join(re.sub(r"\s#.*", "", self.text).split())
 
 
 def blocks_of(name, words):
-    """The fenced blocks, also within lists, and the indented ones, which are commands."""
+    """Yields fenced blocks, also in lists, and indented ones, which are commands."""
     lines, n = words.splitlines(), 0
     while n < len(lines):
         start, end = n, n + 1
@@ -51,7 +51,7 @@ def blocks_of(name, words):
 
 
 def commands_of(block):
-    """A line each; a session of Python goes with the command above it."""
+    """Returns the commands of a block, one per line; a Python session belongs to the command above it."""
     words, _, session = block.text.partition(">>>")
     found = [Place(block.document, block.line + n, line) for n, line in enumerate(words.splitlines()) if line.strip()]
     return [*found[:-1], found[-1]._replace(session=f">>>{session}\n")] if session else found
@@ -75,7 +75,7 @@ class Document:
 
     @property
     def commands(self):
-        """As they follow each other, in blocks and in the text."""
+        """Returns the commands in order, from blocks and text."""
         found = [command for block in self.blocks if block.language == "sh" for command in commands_of(block)]
         found += [span for span in self.spans
                   if re.match(COMMAND_IN_PROSE, span.text) and not re.fullmatch(NAME_OF_VERB, span.text)]
@@ -83,7 +83,7 @@ class Document:
 
 
 def code_of(docstring):
-    """The indented blocks of a docstring."""
+    """Returns the indented blocks of a docstring."""
     found = re.findall(r"(?:^    .*\n?|^\n)+", inspect.cleandoc(docstring), re.M)
     return [textwrap.dedent(block).strip() for block in found if block.strip()]
 

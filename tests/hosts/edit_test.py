@@ -40,7 +40,7 @@ def test_window_follows_its_file(tmp_path):
 
 
 def test_command_opens_the_window(tmp_path):
-    """The command itself, with a script; closed from outside."""
+    """The command itself, with a script; the test closes its window."""
     model = tmp_path / "model.py"
     model.write_text("from fieldfab.shapes import sphere\nsolid = sphere(5)\n(open(__file__ + '.ran', 'w')).close()\n")
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}

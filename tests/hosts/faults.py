@@ -1,4 +1,4 @@
-"""Runs the command with calls that fail, full disks and losses of power (faults.cpp)."""
+"""Runs the command with failing calls, full disks and losses of power (faults.cpp)."""
 
 import os
 import shutil
@@ -12,7 +12,7 @@ CRASHES = (-6, -11, -7, 134, 139, 135)  # SIGABRT, SIGSEGV, SIGBUS
 
 
 def run(arguments, folder, timeout=120, threads=2, program=None, **faults):
-    """Runs the command, or another program, in `folder`, with its temporary files in a folder of their own. `faults`:
+    """Runs the command, or another program, in `folder`, with a separate folder for temporary files. `faults`:
     variables of faults.cpp in lower case."""
     if not LIBRARY.exists():
         pytest.skip(f"{LIBRARY} is not built (target faults)")
@@ -29,13 +29,13 @@ def run(arguments, folder, timeout=120, threads=2, program=None, **faults):
 
 
 def files_of(folder):
-    """Names and contents of all files below a folder."""
+    """Returns {name: content} of all files below a folder."""
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 def lose_power(journal, folder):
-    """Does to files what a loss of power may do: renames whose folder was not synced are undone, and of a file only
-    what was synced is left. `journal`: the folder that faults.cpp kept; `folder`: the one that the program ran in."""
+    """Simulates a loss of power: undoes renames in folders that were not synced, and truncates files to their synced
+    part. `journal`: folder written by faults.cpp; `folder`: working folder of the program."""
     synced, renames = {}, []
     for line in (journal / "journal").read_text().splitlines() if (journal / "journal").exists() else []:
         kind, *words = line.split("\t")
@@ -54,7 +54,7 @@ def lose_power(journal, folder):
 
 
 def cut_to_synced(folder, synced, before):
-    """Of files that were not there before leaves what was synced. One with two names was there before."""
+    """Truncates new files to their synced part. A file with two names is not new."""
     for path in folder.rglob("*"):
         if not path.is_file() or path.read_bytes() == before.get(str(path.relative_to(folder))):
             continue

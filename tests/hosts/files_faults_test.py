@@ -1,7 +1,6 @@
-"""Calls that fail one after another, and losses of power at any moment: what was there stays, or what is new is whole.
+"""Each call fails in turn, and power is lost at any moment: the old file remains, or the new file is complete.
 
-FIELDFAB_KILLS: how many moments of a loss of power, and twice as many allocations, are tried for each command; 6 where
-it is not set."""
+FIELDFAB_KILLS: number of losses of power per command (default 6); twice as many failed allocations are tried."""
 
 import os
 import random
@@ -33,7 +32,7 @@ def folder(tmp_path):
 
 
 def once(name, folder, old=OLD, **injected):
-    """Runs a command over an old file, and checks what must hold however it ends."""
+    """Runs a command over an old file, and checks the guarantees for any outcome."""
     words, out = COMMANDS[name]
     if old is not None:
         (folder / out).write_bytes(old)
@@ -60,7 +59,7 @@ def test_a_failing_call_leaves_the_old_file(name, call, folder):
         tried += 1
         assert done.returncode == 2 and done.stderr.startswith("fieldfab: "), (number, done.returncode, done.stderr)
         assert len([line for line in done.stderr.splitlines() if not line.startswith("fieldfab: note: ")]) == 1
-        # The folder is synced once the new file is in its place.
+        # The folder is synced after the new file was renamed.
         assert not done.replaced or (call == "fsync" and tried > 1), number
     else:
         pytest.fail("it never succeeds")
@@ -70,8 +69,8 @@ def test_a_failing_call_leaves_the_old_file(name, call, folder):
 @pytest.mark.parametrize("lasting", [False, True])
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_thread_that_cannot_be_started(name, lasting, folder):
-    """The command may wait forever while log4cplus, which OpenVDB links to, is loaded: it starts a pool of threads, one
-    of which cannot start. The command tries as many threads before; what fails after that is not tried."""
+    """The command may hang while log4cplus, a dependency of OpenVDB, is loaded and cannot start one of its threads. The
+    command first tries to start as many threads; later failures are not tested."""
     for number in range(1, 2 + max(2, len(os.sched_getaffinity(0))) if name == "convert" else 20):
         done = once(name, folder, call="pthread_create", at=number, threads=4, **({"lasting": 1} if lasting else {}))
         if done.returncode == 0:
@@ -84,7 +83,7 @@ def test_a_thread_that_cannot_be_started(name, lasting, folder):
 @pytest.mark.parametrize("lasting", [False, True])
 @pytest.mark.parametrize("name", COMMANDS)
 def test_memory_that_is_refused(name, lasting, folder, tmp_path):
-    """Some of the allocations, of which there are up to millions; each fails alone, or with all later ones."""
+    """Tries some of up to millions of allocations; one fails alone, or with all later ones."""
     assert once(name, folder, call="malloc", count=tmp_path / "count").returncode == 0
     new, total = (folder / COMMANDS[name][1]).read_bytes(), int((tmp_path / "count").read_text())
     chance = random.Random(name)
@@ -93,11 +92,11 @@ def test_memory_that_is_refused(name, lasting, folder, tmp_path):
     for number in sorted(numbers):
         done = once(name, folder, call="malloc", at=number, **({"lasting": 1} if lasting else {}))
         codes.append(done.returncode)
-        if done.returncode == 0:  # libraries do without some
+        if done.returncode == 0:  # libraries tolerate some failures
             assert done.replaced
             continue
-        # A library may report a lack of memory as a damaged file. The summary needs memory, too, after the file is
-        # there.
+        # A library may report a lack of memory as a damaged file. The summary also needs memory, after the file is
+        # written.
         assert done.returncode in (2, 3), (number, done.returncode, done.stderr)
         assert not done.replaced or good(name, (folder / COMMANDS[name][1]).read_bytes(), new), number
         assert len([line for line in done.stderr.splitlines() if line.startswith("fieldfab: ")]) == 1, (
@@ -106,14 +105,14 @@ def test_memory_that_is_refused(name, lasting, folder, tmp_path):
 
 
 def good(name, data, expected):
-    """Whether a file is what the command makes: meshes are made in parallel, the others are the same to the byte."""
+    """Whether a file has the expected content: byte for byte, except meshes, which are made in parallel."""
     return (data == expected or (name in ("mesh", "parts", "openscad", "simulate", "convert")
                                  and abs(len(data) - len(expected)) < 64 and data[:4] == expected[:4]))
 
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_loss_of_power_leaves_the_old_file_or_the_new_one(name, folder, tmp_path):
-    """The process ends at one of its calls, and what was not synced is lost."""
+    """The process ends at one of its calls, and unsynced data is lost."""
     words, out = COMMANDS[name]
     assert once(name, folder, call="any", count=tmp_path / "count").returncode == 0
     new, total = (folder / out).read_bytes(), int((tmp_path / "count").read_text())
@@ -150,7 +149,7 @@ scan.merge_parts("made.asdf", ["0.part", "1.part"], threshold=50)
 
 
 def test_a_loss_of_power_leaves_an_import_in_parts_whole(folder, tmp_path):
-    """What fieldfab.bricks does in its processes."""
+    """Tests the worker processes of fieldfab.bricks."""
     (folder / "parts.py").write_text(PARTS)
     (folder / "made.asdf").write_bytes(OLD)
     python = {"program": ["/usr/bin/python3", "-B"], "arguments": ["parts.py", BUILD / "python"], "folder": folder,
@@ -177,7 +176,7 @@ SCAD = "use <fieldfab.scad>\nsmooth_union(2) {{ cube(10); translate([5, 5, 5]) c
 
 
 def test_a_loss_of_power_leaves_no_mesh_under_another_ones_note(tmp_path):
-    """The cache of OpenSCAD's meshes: a design that is changed and changed back gets the mesh it asks for."""
+    """The cache of OpenSCAD's meshes: a design that is changed and reverted gets its own mesh."""
     if shutil.which("openscad") is None:
         pytest.skip("openscad is not installed")
     folder = tmp_path / "work"

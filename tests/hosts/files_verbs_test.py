@@ -1,4 +1,4 @@
-"""Calls that fail in verbs with several outputs and in verbs that only read, and names that are not UTF-8. The tests of
+"""Failing calls in verbs with several outputs and in verbs that only read, and names that are not UTF-8. The tests of
 verbs with one output are in files_faults_test.py and files_writing_test.py."""
 
 import gzip
@@ -17,7 +17,7 @@ from conftest import COMMAND
 from files_faults_test import KILLS
 from files_writing_test import OLD, inputs, interrupted
 
-# Words of a command, and the files that it writes.
+# Arguments of a command, and its output files.
 WRITES = {
     "height map": ("render ball.frep -o made.png --mode height --size 60", ["made.png"]),
     "histogram": ("info scan_20x20x20_uint8.raw --histogram made.png", ["made.png"]),
@@ -52,7 +52,7 @@ def folder(tmp_path):
 
 
 def once(words, outputs, folder, **injected):
-    """Runs a command over old files, and checks what holds however it ends. Tells which files it replaced."""
+    """Runs a command over old files, and checks the guarantees for any outcome. Returns the replaced files."""
     shutil.rmtree(folder / "fieldfab-cache", ignore_errors=True)
     if words.startswith("openscad") and shutil.which("openscad") is None:
         pytest.skip("openscad is not installed")
@@ -86,7 +86,7 @@ def test_a_failing_call_leaves_old_files_or_new_ones(name, call, folder):
             assert done.replaced == sorted(outputs)
             break
         refused(done, {2})
-        if name == "materials":  # which are of no use without their triangles
+        if name == "materials":  # useless without their triangles
             assert done.replaced in ([], sorted(outputs)) and (not done.replaced or call == "fsync")
     else:
         pytest.fail("it never succeeds")
@@ -96,7 +96,7 @@ def test_a_failing_call_leaves_old_files_or_new_ones(name, call, folder):
 @pytest.mark.parametrize("links", [True, False])
 @pytest.mark.parametrize("old", [True, False])
 def test_an_obj_file_and_its_materials_are_both_old_or_both_new(folder, old, links, tmp_path):
-    """Where a rename fails, with and without files there before and hard links; and where power is lost at any call."""
+    """A rename fails, with and without old files and hard links; power is lost at any call."""
     words, (materials, triangles) = WRITES["materials"]
     more = {} if links else {"no_link": 1}
 
@@ -152,7 +152,7 @@ def test_verbs_that_read_write_nothing(name, folder, tmp_path):
 @pytest.mark.parametrize("name", [*WRITES, *READS])
 def test_a_thread_that_cannot_be_started(name, lasting, folder):
     words, outputs = WRITES.get(name) or (READS[name], [])
-    # What OpenVDB starts while it is loaded is not tried (files_faults_test.py).
+    # Threads that OpenVDB starts while it is loaded are not tested (files_faults_test.py).
     loads_openvdb = name == "info of a level set" or name.startswith("check")
     for number in range(1, 2 + max(2, len(os.sched_getaffinity(0))) if loads_openvdb else 20):
         done = once(words, outputs, folder, call="pthread_create", at=number, threads=4,
@@ -251,11 +251,11 @@ def test_json_of_programs_whose_names_are_no_utf8(folder):
         assert text and (name != b"b\xff.json" or json.loads(text)["good"] is True)
 
 
-# Signals inside libraries, and while input is awaited
+# Signals inside libraries, and during reads of input
 
 
 def zeros(path, size=400):
-    """A volume of 4 * size**3 bytes in a small file: ITK inflates it for a second."""
+    """Writes a volume of 4 * size**3 bytes as a small file; ITK takes a second to inflate it."""
     lines = ["NRRD0005", "type: float", "dimension: 3", f"sizes: {size} {size} {size}", "endian: little",
              "encoding: gzip", "spacings: 1 1 1", "", ""]
     path.write_bytes("\n".join(lines).encode() + gzip.compress(bytes(4 * size**3), compresslevel=1))

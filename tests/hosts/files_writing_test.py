@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all, streams that fail, inputs that are no files, memory and signals."""
+"""Files written whole or not at all, failing streams, inputs other than files, memory limits and signals."""
 
 import json
 import os
@@ -48,7 +48,7 @@ diameter = 6
 flute = 16
 length = 30
 """
-# The file to write, and the words of a command that writes it: OUT is where.
+# Output file, and arguments of a command that writes it; OUT stands for its path.
 OUTPUTS = {
     "mesh.stl": "mesh ball.frep -o OUT --voxel 0.5",
     "mesh.ply": "mesh ball.frep -o OUT --voxel 0.5",
@@ -85,7 +85,7 @@ TEXTS = [name for name in OUTPUTS if name.startswith("formula")]
 
 
 def inputs(folder):
-    """Small files for each verb."""
+    """Writes small input files for each verb."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "ball.frep").write_text("sphere(5)")
     (folder / "two_parts.frep").write_text('part(box(3, 3, 3), "a", "red")\npart(move(sphere(1), dx = 4), "b", "blue")')
@@ -154,7 +154,7 @@ def test_a_limit_of_the_size_of_files_is_told(name, folder):
     out.parent.mkdir(exist_ok=True)
     words = words_of(name, out)
     limit = 8 if name in TEXTS else 64
-    if words[0] == "cam" and name != "part.nc":  # the program, which is smaller, is written before its picture
+    if words[0] == "cam" and name != "part.nc":  # the smaller program is written before its picture
         assert run(words, folder).returncode == 0
         limit = (folder / "made.nc").stat().st_size
         assert limit < out.stat().st_size
@@ -162,7 +162,7 @@ def test_a_limit_of_the_size_of_files_is_told(name, folder):
     before = faults.files_of(folder)
     done = run(words, folder, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
     message = refused(done)
-    if words[0] != "openscad":  # which tells in its own words
+    if words[0] != "openscad":  # it has a message of its own
         assert "File too large" in message and out.name in message
     assert "XXXXXX" not in message and f".{out.stem}." not in message.replace(out.name, "")
     assert faults.files_of(folder) == before
@@ -170,7 +170,7 @@ def test_a_limit_of_the_size_of_files_is_told(name, folder):
 
 @pytest.fixture(scope="module")
 def small_disk(tmp_path_factory):
-    """A file system in memory, 256 kB large."""
+    """A file system in memory, 256 kB."""
     place = tmp_path_factory.mktemp("disk")
     made = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=256k", "tmpfs", place], capture_output=True, text=True)
     if made.returncode != 0:
@@ -208,7 +208,7 @@ def test_a_full_disk_leaves_the_old_file(name, free, folder, small_disk):
 
 @pytest.mark.parametrize("name", OUTPUTS)
 def test_a_file_is_written_through_a_link_and_by_a_long_name(name, folder):
-    """The control of the tests above: the same commands work."""
+    """Control for the tests above: the same commands succeed."""
     real = folder / ("n" * 200 + pathlib.Path(name).name)
     out = folder / name
     out.parent.mkdir(exist_ok=True)
@@ -241,7 +241,7 @@ def test_a_pipe_gets_the_finished_file(folder):
 
 
 def test_vdb_and_volumes_are_read_again(folder):
-    """What is written by way of our own stream is what OpenVDB's and ITK's readers take."""
+    """Files written through our own stream are accepted by OpenVDB's and ITK's readers."""
     assert run(words_of("levels.vdb", folder / "a.vdb"), folder).returncode == 0
     done = run(["--json", "mesh", "a.vdb", "-o", "a.stl"], folder)
     assert done.returncode == 0, done.message
@@ -260,7 +260,7 @@ def test_messages_of_what_cannot_be_written(folder):
 
 
 def test_a_mesh_that_takes_long_says_why(folder):
-    """A rim that no lid closes: a small file, and minutes of winding numbers."""
+    """A rim that no lid closes: a small file with minutes of winding numbers."""
     chance = random.Random(1)
     count = 300
     rim = [(10 * np.cos(a) + chance.uniform(-2, 2), 10 * np.sin(a) + chance.uniform(-2, 2), chance.uniform(-2, 2))
@@ -375,7 +375,7 @@ def test_json_of_names_that_are_no_utf8(folder):
         json.loads(done.stdout.decode("utf-8"))
 
 
-# Inputs that are no files
+# Inputs other than files
 
 INPUTS = {
     "info": "frep math vm py csg scad stl ply off obj 3mf asdf png raw vol vgi tif mha mhd nrrd nhdr nii nii.gz "
@@ -400,7 +400,7 @@ def test_what_is_no_file_is_refused_at_once(verb, ending, kind, folder):
         path.symlink_to(folder / "sub")
     else:
         server = socket.socket(socket.AF_UNIX)
-        os.chdir(folder)  # names of sockets are short
+        os.chdir(folder)  # names of sockets have a length limit
         server.bind(path.name)
     more = {"mesh": ["-o", "made.stl"], "simulate": ["--setup", "setup.toml"], "cam": ["-o", "made.nc"],
             "openscad": ["-o", "made.stl"]}
@@ -439,7 +439,7 @@ def test_files_named_by_files_are_no_pipes(folder):
 
 
 def test_a_substituted_process_is_read(folder):
-    """A pipe that the shell gives, by a name with the ending that tells its form."""
+    """A pipe from the shell, through a link with an extension that tells its format."""
     (folder / "given.frep").symlink_to("/dev/stdin")
     done = subprocess.run(["bash", "-c", f"echo 'sphere(5)' | {COMMAND} info given.frep"], cwd=folder,
                           capture_output=True, text=True, timeout=20)
@@ -450,14 +450,14 @@ def test_a_substituted_process_is_read(folder):
 
 
 def test_too_little_memory_is_one_line(folder):
-    """The limit is on addresses, of which the program and its libraries take some 500 MB."""
+    """The limit is on address space; the program and its libraries take some 500 MB of it."""
     (folder / "gyroid.frep").write_text("shell(gyroid(period = 1), 0.1) & sphere(6)")
     codes = set()
     for megabytes in (700, 800):
         done = run(["--threads", 2, "mesh", "gyroid.frep", "-o", "made.stl", "--voxel", 0.02], folder,
                    preexec_fn=lambda size=megabytes: resource.setrlimit(resource.RLIMIT_AS, (size << 20, size << 20)))
         codes.add(done.returncode)
-        # Machine code may be the first to get no memory, which is a note: formulas are interpreted then.
+        # Allocation of machine code may fail first. That gives a note, and formulas are interpreted.
         done.lines = [line for line in done.lines if "formulas are interpreted instead" not in line]
         assert refused(done, 3) == "fieldfab: there is not enough memory for this" or "system refuses" in done.message
         assert made(folder) == []
@@ -477,7 +477,7 @@ HEAVY = {
 
 
 def interrupted(words, folder, seconds, number=signal.SIGINT):
-    """How the command ended, and how long it took to, after a signal."""
+    """Returns the exit of the command after a signal, and the seconds until then."""
     temporary = folder.parent / "tmp"
     temporary.mkdir(exist_ok=True)
     # nohup leaves one of them ignored.
@@ -514,7 +514,7 @@ def test_an_interrupt_is_answered_in_half_a_second(name, folder):
 
 
 def test_an_end_while_it_starts(folder):
-    """Before the command looks for signals they end it as they do any program."""
+    """Before the command handles signals they have their default effect."""
     for milliseconds in range(0, 120, 8):
         code, _, message = interrupted(VERBS["mesh"].split(), folder, milliseconds / 1000, signal.SIGTERM)
         assert code in (-signal.SIGTERM, 130, 0), (code, message)
@@ -524,7 +524,7 @@ def test_an_end_while_it_starts(folder):
 
 
 def children_of(process):
-    """All processes below one."""
+    """Returns all descendants of a process."""
     below = []
     for entry in pathlib.Path("/proc").iterdir():
         try:
@@ -552,7 +552,8 @@ ENDLESS = "import time\nopen('started', 'w').close()\ntime.sleep(60)\n"
 
 @pytest.mark.parametrize("how", ["script", "openscad", "python", "workbench", "kokopelli"])
 def test_what_is_started_ends_with_the_one_that_started_it(how, folder):
-    """Even if that is killed: the command, FreeCAD, MeshLab and the edit window start scripts and OpenSCAD."""
+    """Scripts and OpenSCAD end with their parent (the command, FreeCAD, MeshLab, the edit window), even if that is
+    killed."""
     (folder / "endless.py").write_text(ENDLESS)
     (folder / "endless.ko").write_text(ENDLESS)
     (folder / "endless.scad").write_text("function f(n) = n < 1 ? 1 : f(n - 1) + f(n - 1); echo(f(40)); cube(f(40));")

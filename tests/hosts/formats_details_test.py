@@ -1,5 +1,5 @@
-"""What docs/formats.md says of mesh files and pictures beside round trips: text and binary forms, polygons, what is
-lost when read, and faces and numbers that are damaged."""
+"""Statements of docs/formats.md about mesh files and pictures other than round trips: text and binary forms, polygons,
+data lost on reading, damaged faces and numbers."""
 
 import json
 import struct
@@ -62,7 +62,7 @@ GOOD = {
     "negative.obj": obj_text(index=lambda i: i - 8), "slashes.obj": obj_text(index=lambda i: f"{i + 1}/1/1"),
     "normals.obj": obj_text(index=lambda i: f"{i + 1}//1"),
 }
-FAR = [*QUADS[:-1], (1, 3, 7, 8)]  # there is no vertex 8
+FAR = [*QUADS[:-1], (1, 3, 7, 8)]  # vertex 8 does not exist
 TEXTS = {"stl": stl_text, "ply": ply_text, "off": off_text, "obj": obj_text}
 BAD = {f"{word}.{extension}": text([(word, 0, 0), *CORNERS[1:]])
        for extension, text in TEXTS.items() for word in ("what", "nan", "inf", "1e39")}
@@ -77,7 +77,7 @@ def run(*words):
 
 @pytest.mark.parametrize("name", GOOD)
 def test_forms_of_meshes_that_are_read(name, tmp_path):
-    """Polygons become triangles, and vertices at one place one vertex; properties beside places are lost."""
+    """Polygons become triangles, coincident vertices are merged, and properties other than positions are lost."""
     (tmp_path / name).write_bytes(GOOD[name])
     done = run("info", tmp_path / name)
     assert done.returncode == 0, done.stderr
@@ -128,7 +128,7 @@ def test_pictures_have_pixels_a_metre_and_heights(tmp_path):
     assert done.returncode == 0, done.stderr
     per_mm = json.loads(done.stdout)["pixels_per_mm"]
     across, down, unit = struct.unpack(">IIB", chunks((tmp_path / "a.png").read_bytes())[b"pHYs"])
-    assert across == down == pytest.approx(1000 * per_mm, rel=1e-3) and unit == 1  # a metre
+    assert across == down == pytest.approx(1000 * per_mm, rel=1e-3) and unit == 1  # per metre
     told = json.loads(run("info", tmp_path / "a.png").stdout)
     assert told["pixels_per_mm"] == pytest.approx(per_mm, rel=1e-3)
     assert told["heights"] == pytest.approx([-2, 2], abs=0.2)  # with the margin of the picture

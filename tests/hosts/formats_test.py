@@ -1,5 +1,5 @@
 """Every file format: a round trip of our own, our files read by Debian's other programs, and theirs read by us, with
-units. What docs/formats.md says of them."""
+units. Statements of docs/formats.md."""
 
 import itertools
 import json
@@ -22,7 +22,7 @@ VOLUMES = ("nrrd", "mha", "nii", "nii.gz")
 SOLIDS = ("vdb", "asdf")
 TEXTS = ("frep", "math", "vm")
 ROUND_TRIPS = (*MESHES, *VOLUMES, *SOLIDS, *TEXTS)
-SOLID = "difference(box(10, 8, 6), move(sphere(3), 1, 2, 3))"  # nothing of it is symmetric
+SOLID = "difference(box(10, 8, 6), move(sphere(3), 1, 2, 3))"  # without any symmetry
 BOUNDS = [[-5, 5], [-4, 4], [-3, 3]]
 
 
@@ -97,9 +97,9 @@ def meshlab(source, target):
     run("xvfb-run", "-a", "/usr/bin/meshlabserver", "-i", source, "-o", target, env=environment)
 
 
-# Each program with what it reads and writes of ours. OpenSCAD 2021 reads no .ply and no .obj, FreeCAD 0.20 no .3mf;
-# Debian's MeshLab ends at an assertion in its reader at any .obj file (FreeCAD's and assimp's, too), and knows no .3mf;
-# assimp has no writer for .off. assimp writes six digits in text.
+# Each program with the common formats that it reads and writes. OpenSCAD 2021 reads no .ply and no .obj, FreeCAD 0.20
+# no .3mf; Debian's MeshLab fails an assertion on any .obj file (FreeCAD's and assimp's, too), and lacks .3mf; assimp
+# has no writer for .off. assimp writes six digits in text.
 PROGRAMS = {
     openscad: (("stl", "off", "3mf"), ("stl", "off", "3mf")),
     freecad: (("stl", "ply", "off", "obj"), ("stl", "ast", "ply", "off", "obj", "3mf")),
@@ -115,7 +115,7 @@ def each(which):
 
 @each(0)
 def test_our_meshes_are_read_by_other_programs(folder, tmp_path, program, extension):
-    """What they make of it is in a form of which we have our own tests: STL, with all its triangles and mm."""
+    """They convert our file to STL, which other tests cover, with all triangles and in mm."""
     program(folder / f"part.{extension}", tmp_path / "theirs.stl")
     same_mesh(tmp_path / "theirs.stl", folder / "part.stl", rel=1e-5, within=1e-4)
 
@@ -162,7 +162,7 @@ UNITS = {"micron": 0.001, "millimeter": 1, "centimeter": 10, "inch": 25.4, "foot
 
 @pytest.mark.parametrize("unit, mm", UNITS.items())
 def test_3mf_units_builds_and_components(folder, tmp_path, unit, mm):
-    """The part twice, once as a component that is mirrored and moved, in other units; and one that is not built."""
+    """A part twice, once as a mirrored and moved component, in other units; and one that is not in the build."""
     text = model_part(folder / "part.3mf").replace('unit="millimeter"', f'unit="{unit}"')
     component = '<component objectid="1" transform="-1 0 0 0 1 0 0 0 1 100 0 0"/>'
     text = text.replace("</resources>", f'<object id="2"><components>{component}</components></object></resources>')
@@ -178,7 +178,7 @@ def test_3mf_units_builds_and_components(folder, tmp_path, unit, mm):
 
 
 def test_a_3mf_through_a_pipe(folder, tmp_path):
-    """Nothing is written twice, so that a pipe takes it."""
+    """The writer never seeks, so that a pipe suffices."""
     os.mkfifo(tmp_path / "pipe.3mf")
     with subprocess.Popen(["cat", tmp_path / "pipe.3mf"], stdout=subprocess.PIPE) as reader:
         summary("convert", folder / "part.stl", "-o", tmp_path / "pipe.3mf")
@@ -189,7 +189,7 @@ LOST = "colours and materials other than one opaque base material an object"
 
 
 def test_what_is_left_out_is_told(folder, tmp_path):
-    """By the command, too, on stderr and in its summary."""
+    """The command reports it on stderr and in its summary, too."""
     assimp(folder / "part.stl", tmp_path / "a.3mf")
     done = subprocess.run([COMMAND, "--json", "info", tmp_path / "a.3mf"], capture_output=True, text=True)
     assert done.stderr == "fieldfab: note: a.3mf: left out: " + LOST + "\n"
@@ -208,7 +208,7 @@ NAMES = ("Fuß <unten> & 'so'", "middle", "top")
 
 @pytest.fixture(scope="module")
 def parts(tmp_path_factory):
-    """What write_parts.cpp writes: boxes of 30 by 20 by 10 mm, at z = 0, 15 and 30, the middle one without a colour."""
+    """Files of write_parts.cpp: boxes of 30 by 20 by 10 mm at z = 0, 15 and 30, the middle one without a colour."""
     folder = tmp_path_factory.mktemp("parts of it")
     run(BUILD / "bin" / "write_parts",
         *(folder / f"my parts.{form}" for form in ("glb", "obj", "ply", "3mf", "stl", "off")))
@@ -220,7 +220,7 @@ def numbers(element):
 
 
 class Seen:
-    """A scene as assimp reads it: names, colours, and places in the root's frame of what its nodes have."""
+    """A scene read by assimp: names, colours, and vertices of its nodes in the root's coordinates."""
 
     def __init__(self, path, folder):
         run("assimp", "dump", path, folder / "dump.xml")
@@ -299,7 +299,7 @@ def test_parts_are_read_as_one_mesh(parts, extension):
 
 
 def test_parts_stay_parts(parts, tmp_path):
-    """From form to form, and of a text."""
+    """Parts survive conversion between formats, and from a text."""
     told_of = lambda path: [(p["name"], p["colour"], p["bounds"], pytest.approx(p["volume"]))
                             for p in told(path)["parts"]]
     summary("convert", parts / "my parts.3mf", "-o", tmp_path / "again.3mf")
@@ -313,7 +313,7 @@ def test_parts_stay_parts(parts, tmp_path):
 
 
 def test_glb_is_a_mesh_of_its_own(folder, tmp_path):
-    """Any verb writes it; it is not read."""
+    """Any verb writes .glb; none reads it."""
     summary("convert", folder / "part.3mf", "-o", tmp_path / "a.glb")
     summary("mesh", folder / "part.frep", "-o", tmp_path / "b.GLB", "--voxel", 0.5)
     for name in ("a.glb", "b.GLB"):
@@ -329,7 +329,7 @@ def test_glb_is_a_mesh_of_its_own(folder, tmp_path):
         assert "a.glb: is written, not read; " in done.stderr
 
 
-# Volumes: a ball off the middle, samples at three different distances.
+# Volumes: an eccentric ball, with different spacing along each axis.
 
 SIZE, SPACING, ORIGIN, RADIUS = (24, 20, 18), (0.5, 0.75, 1.0), (1.0, 2.0, 3.0), 4.0
 
@@ -353,7 +353,7 @@ def nrrd(units=None):
 
 
 def stands(path, mm=1.0):
-    """Whether a volume has the size, the place and the solid of the ball."""
+    """Asserts that a volume has the size, position and solid of the ball."""
     seen = told(path)
     axes, spacing = np.array(seen["axes"]).T, np.array(seen["spacing"])
     indices = itertools.product(*((0, n - 1) for n in seen["samples"]))
@@ -395,7 +395,7 @@ def test_nifti_by_nibabel(folder, tmp_path, extension):
 
 
 def test_metaimage_says_what_its_specification_wants(folder):
-    """No other program of Debian reads it without ITK, which writes ours."""
+    """No program of Debian independent of ITK, our writer, reads the format."""
     head, _, samples = (folder / "scan.mha").read_bytes().partition(b"ElementDataFile = LOCAL\n")
     fields = dict(line.split(" = ", 1) for line in head.decode().splitlines())
     wanted = {"DimSize": "24 20 18", "ElementType": "MET_FLOAT", "NDims": "3", "CompressedData": "False"}
@@ -484,7 +484,7 @@ def test_formulas_go_there_and_back(folder, tmp_path, extension):
 
 
 def rows(heading):
-    """Cells of the table below a heading of docs/formats.md, by the extensions in the first one."""
+    """Returns rows of the table below a heading of docs/formats.md, by the extensions in their first cells."""
     text = (ROOT / "docs" / "formats.md").read_text().split(f"\n## {heading}\n")[1].split("\n## ")[0]
     table = [line.strip("|").split("|") for line in text.splitlines() if line.startswith("|")]
     lines = [[cell.strip() for cell in line] for line in table]
@@ -508,4 +508,4 @@ def test_the_document_names_every_format_that_the_command_knows(tmp_path):
     assert len(written) > 10 and len(read) > 20
     both, only_read, only_written = set(ROUND_TRIPS), set(rows("Only read")), set(rows("Only written"))
     assert written - both - only_written == set() and read - both - only_read == set()
-    assert only_read - read <= {"ima", "dicom", "tiff"}  # other names of .dcm and .tif, which messages leave out
+    assert only_read - read <= {"ima", "dicom", "tiff"}  # aliases of .dcm and .tif, omitted in messages

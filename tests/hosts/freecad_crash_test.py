@@ -1,5 +1,5 @@
-"""FreeCAD killed while it saves and while it recomputes: afterwards the old document or the new one is on the disk,
-whole."""
+"""FreeCAD killed while it saves and while it recomputes: afterwards the old or the new document is on the disk,
+complete."""
 
 import json
 import math
@@ -13,8 +13,8 @@ import pytest
 
 from freecad_host import HERE, environment, home  # noqa: F401
 
-SECONDS = 35  # of killing
-MOMENTS = {"saving": 0.15, "making": 0.3}  # seconds after which the longest of them is over
+SECONDS = 35  # duration of the test
+MOMENTS = {"saving": 0.15, "making": 0.3}  # longest duration of each, seconds
 
 
 def freecadcmd(script, home, document, **more):
@@ -25,7 +25,7 @@ def freecadcmd(script, home, document, **more):
 
 def kill_at(moment, victim, chance):
     """Kills a victim at a random time within one of its saves or recomputes. Returns the radii that its document may
-    have then."""
+    have afterwards."""
     wanted, saved = 1 + chance.randrange(2), 5.0
     for line in victim.stdout:
         doing, radius = (line.split() + ["", ""])[:2]
@@ -36,7 +36,7 @@ def kill_at(moment, victim, chance):
                 break
     time.sleep(chance.uniform(0, MOMENTS[moment]))
     victim.kill()
-    for line in victim.stdout:  # what it still said
+    for line in victim.stdout:  # its remaining output
         doing, now = (line.split() + ["", ""])[:2]
         if doing in ("saving", "saved"):
             radius = now

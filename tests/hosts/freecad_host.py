@@ -1,4 +1,4 @@
-"""FreeCAD, with and without a window, for tests: a home folder of its own, a screen, and tests that run inside it."""
+"""FreeCAD for tests, with and without a window: a separate home folder, a screen, and tests that run inside it."""
 
 import json
 import os
@@ -15,7 +15,7 @@ TIMEOUT = 150
 
 @pytest.fixture
 def home(tmp_path):
-    """A home folder in which FreeCAD finds the workbench, and starts without its start page."""
+    """A home folder with the workbench installed and the start page switched off."""
     data = tmp_path / ".local" / "share" / "FreeCAD"
     (data / "Mod").mkdir(parents=True)
     (data / "Mod" / "Fieldfab").symlink_to(ROOT / "freecad_workbench")
@@ -44,7 +44,7 @@ def environment(home, **more):
 
 @pytest.fixture
 def screen():
-    """An X server of our own; its DISPLAY."""
+    """Starts an X server; yields its DISPLAY."""
     read, write = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp"],
                               pass_fds=[write], stderr=subprocess.DEVNULL)
@@ -55,9 +55,9 @@ def screen():
 
 
 def run_inside(home, file, screen=None, timeout=900, **more):
-    """Runs a pytest file inside FreeCAD, in its window where there is a screen. Asserts that at least one test ran and
-    that all passed. FIELDFAB_PYTEST in the environment may hold more options for it (-k ...); FIELDFAB_SHOTS names a
-    folder for screenshots."""
+    """Runs a pytest file inside FreeCAD, in its window if there is a screen. Asserts that at least one test ran and
+    that all passed. Environment: FIELDFAB_PYTEST has further options of pytest (-k ...); FIELDFAB_SHOTS names a folder
+    for screenshots."""
     where = {"DISPLAY": screen} if screen else {"QT_QPA_PLATFORM": "offscreen"}
     env = environment(home, FIELDFAB_INSIDE=str(file), **where, **more)
     freecad = subprocess.Popen(["freecad" if screen else "freecadcmd", str(HERE / "freecad" / "run_inside.py")],

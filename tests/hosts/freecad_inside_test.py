@@ -17,7 +17,7 @@ def test_in_the_window(home, screen, file):
 
 
 def test_in_the_window_of_a_german_user(home, screen):
-    """FreeCAD's own preference, from its start on."""
+    """German is set in FreeCAD's preferences before its start."""
     file = home / ".config" / "FreeCAD" / "user.cfg"
     general = '<FCParamGroup Name="General">'
     file.write_text(file.read_text().replace(general, general + '<FCText Name="Language">German</FCText>'))

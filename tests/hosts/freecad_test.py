@@ -64,7 +64,7 @@ def test_real_window(home, screen, tmp_path):
     assert seen["kept_by_ok"] == ["FrepSolid"] and seen["closed_by_ok"] and seen["undo_steps"] == 1
     assert seen["applied"] == "sphere(r = 3)" and seen["cancel_restored"]
     assert seen["made"] == 2 and seen["left_after_cancel"] == ["FrepSolid"] and seen["closed_by_cancel"]
-    # The solid is blue and lit: a good part of the 3D view must be bluish, in many shades.
+    # The solid is blue and lit: many pixels of the 3D view must be bluish, in many shades.
     raw = subprocess.run(["convert", str(shot), "-resize", "350x215!", "-depth", "8", "rgb:-"], capture_output=True,
                          check=True).stdout
     pixels = [raw[i : i + 3] for i in range(0, len(raw), 3)]

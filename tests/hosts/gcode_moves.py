@@ -1,4 +1,4 @@
-"""Motions of a program from Fieldfab's reader and from LinuxCNC's rs274, in the same terms: the tip in machine
+"""Motions of a program from Fieldfab's reader and from LinuxCNC's rs274, in common terms: the tip in machine
 coordinates, mm and degrees."""
 
 import math
@@ -31,8 +31,8 @@ class Move:
 
 
 def ours(program, tools=TOOLS):
-    """Returns (moves, error or "", notes) of our reader. Raises AssertionError where it neither ends well nor says what
-    is wrong."""
+    """Returns (moves, error or "", notes) of our reader. Raises AssertionError if it neither succeeds nor reports an
+    error."""
     with tempfile.NamedTemporaryFile("w") as table:
         table.write("".join(f"{n} {length} {diameter}\n" for n, length, diameter in tools))
         table.flush()
@@ -53,7 +53,7 @@ def ours(program, tools=TOOLS):
 
 
 def rs274(program, tools=TOOLS):
-    """(moves, error or "") of LinuxCNC's interpreter; its coordinates with work offsets, G92 and rotation applied."""
+    """Returns (moves, error or "") of LinuxCNC's interpreter, with work offsets, G92 and rotation applied."""
     with tempfile.TemporaryDirectory() as folder:
         table, variables, out = folder + "/tool.tbl", folder + "/v.var", folder + "/out.txt"
         with open(table, "w") as f:
@@ -62,7 +62,7 @@ def rs274(program, tools=TOOLS):
         open(variables, "w").close()
         done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out],
                               capture_output=True, text=True, errors="replace",
-                              # It keeps a file there.
+                              # It writes a parameter file there.
                               timeout=TIMEOUT, cwd=os.path.dirname(os.path.abspath(str(program))),
                               env={**os.environ, "HOME": folder})
         with open(out, errors="replace") as f:
@@ -77,7 +77,7 @@ def turned(x, y, angle):
 
 
 class Canon:
-    """Follows rs274's canonical calls and collects the moves that they make."""
+    """Converts rs274's canonical calls to moves."""
 
     def __init__(self):
         self.moves = []
@@ -108,7 +108,7 @@ class Canon:
         self.last, self.at = tuple(program), self.axes(program)
 
     def call(self, line, name, words):
-        """Follows one call; `words` is what its parentheses hold."""
+        """Processes one call; `words` is the text in its parentheses."""
         self.line = line
         n = [float(x) for x in re.findall(r"-?\d+\.?\d*", words)]
         if name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE"):
@@ -197,7 +197,7 @@ def canonical_moves(lines):
 
 
 def difference(a, b):
-    """What is not the same in two moves, ours and rs274's; "" where nothing is."""
+    """Returns a description of the difference between our move and rs274's; "" if they are equal."""
     if a.kind != b.kind:
         return "kind"
     within = 2e-4 * b.unit + 3e-6 * max(map(abs, b.end))
@@ -224,15 +224,15 @@ def difference(a, b):
 
 
 def still(move, before):
-    """Whether a move goes nowhere, as far as four decimals tell."""
+    """Whether a move has length 0 to four decimals."""
     axes = lambda m: tuple(e + o for e, o in zip(m.end, (*m.offset, 0, 0, 0)))
     return (move.kind in ("rapid", "feed")
             and all(abs(a - b) < 2.5e-4 * max(move.unit, before.unit) for a, b in zip(axes(move), axes(before))))
 
 
 def compare(mine, theirs):
-    """"" where the moves are the same, else the first that is not. What takes no time or goes nowhere may be missing
-    from either; a spline of rs274's is all of our feeds of that line."""
+    """Returns "" if the moves are equal, else the first difference. Moves of length 0 may be absent from either list; a
+    spline of rs274 corresponds to all of our feeds of that line."""
     real = lambda m: m.kind != "end" and not (m.kind == "dwell" and m.seconds == 0)
     mine, theirs = [m for m in mine if real(m)], [m for m in theirs if real(m)]
     last_mine = last_theirs = Move("rapid")

@@ -1,4 +1,4 @@
-"""Random G-code programs for comparing interpreters: each function takes a random.Random and gives lines."""
+"""Random G-code programs for the comparison of interpreters. Each function takes a random.Random and returns lines."""
 
 import math
 
@@ -24,7 +24,7 @@ def compensation(r):
     for k in range(r.randint(2, 9)):
         angle += r.choice([0, math.pi / 2, -math.pi / 2, r.uniform(-2.5, 2.5), r.uniform(-0.1, 0.1)])
         what = r.random()
-        # Entries along arcs are left to the unit tests: rs274 is micrometres off at an inner corner behind one.
+        # Unit tests cover entries along arcs: rs274 is inexact by micrometres at an inner corner after one.
         if what < 0.55 or k == 0:
             length = r.choice([5, 10, 20, r.uniform(3, 30)])
             x, y = x + length * math.cos(angle), y + length * math.sin(angle)
@@ -52,8 +52,8 @@ def compensation(r):
 
 
 def cycles(r):
-    """G73 and G81 to G89 in all planes. Left out is what rs274 itself gets wrong or leaves open: G74 and G84 outside of
-    G17 (it mixes up the axes), G88 (it does not draw the tool out)."""
+    """G73 and G81 to G89 in all planes. Omitted, since rs274 is wrong: G74 and G84 outside of G17 (axes interchanged),
+    G88 (no retract)."""
     plane = r.choice(["g17", "g18", "g19"])
     start = [r.randint(-5, 25) for _ in range(3)]
     start["g17 g18 g19".split().index(plane) * 2 % 3 - 1] = 20
@@ -129,7 +129,7 @@ def arcs(r):
 
 def offsets(r):
     """Coordinate systems and their rotation, G92, G52, tool lengths, G53, homes, M70. After a tool change all axes
-    move: until then rs274, which has no machine, assumes a wrong place."""
+    move: until then rs274, without a machine, assumes a wrong position."""
     out = [r.choice(["g21 g90 f100", "g21 g90 f100", "g20\ng90 f10"]), "g0 x1 y2 z3 a0"]
     rotated = r.random() < 0.5
     v = lambda: number(r.uniform(-20, 20))
@@ -190,7 +190,7 @@ def expressions(r):
 
 
 def flow(r):
-    """O-words. Loops count in a parameter of their own, so that they end."""
+    """O-words. Each loop has its own counter, so that it terminates."""
     out, subroutines, labels = ["g21 g90 g0", "f100", "#1=0 #2=0 #3=0"], [], [100]
 
     def label():

@@ -1,5 +1,4 @@
-"""Our reader of G-code against LinuxCNC's own, rs274: move for move, over its examples, real programs and random
-ones."""
+"""Our reader of G-code against LinuxCNC's rs274: move by move, over its examples, real programs and random ones."""
 
 import glob
 import os
@@ -19,14 +18,14 @@ REAL = sorted(str(p) for p in (ROOT.parent / "shared" / "data" / "gcode").iterdi
               if p.suffix in (".ngc", ".nc", ".gcode"))
 MANY_TOOLS = tuple((n, float(n), 0.1) for n in range(1, 100))
 NO_END = "File ended with no percent sign or program end"
-# Cycles G70, G71 and G72 of lathes are not read: a clear error, which a test below wants.
+# Cycles G70, G71 and G72 of lathes are not supported; a test below checks the error.
 LATHE_CYCLES = ("lathe_g70_71_demo.ngc", "lathe_g7x_face_boring.ngc", "lathe_g7x_quadrants.ngc")
 
 
 def prepared(path, folder):
-    """Makes a copy that rs274 can read, beside links to the files around it, so that subroutines are found. M428 to
-    M430 are taken out. A tool change and its length offset get lines of their own: between them rs274 alone, without a
-    machine, assumes a wrong place."""
+    """Makes a copy for rs274, next to links to the files of its folder, so that subroutines are found. Removes M428 to
+    M430. Separates a tool change and its length offset into lines: in between rs274, without a machine, assumes a wrong
+    position."""
     with open(path, errors="surrogateescape") as f:
         text = f.read()
     text = re.sub(r"(?im)^([^(;\n]*)M4(28|29|30)\b", r"\1", text)
@@ -40,8 +39,7 @@ def prepared(path, folder):
 
 
 def upto_probing(mine, theirs):
-    """rs274 lets probes touch at the end of their way and draws back; ours lets them touch nothing. They agree up to
-    the first probe."""
+    """Compares the moves up to the first probe. In rs274 a probe touches at the end of its move, in ours never."""
     end = next((k for k, m in enumerate(theirs) if "PROBE" in m.line), None)
     return (mine, theirs) if end is None else (mine[:end], theirs[:end])
 
@@ -50,7 +48,7 @@ def check(path, tools):
     theirs, refused = rs274(path, tools)
     mine, error, notes = ours(path, tools)
     if refused and NO_END not in refused:
-        return "refused"  # ours ends with an error that names its line, or reads it
+        return "refused"  # ours reports an error with its line, or accepts it
     assert not error, f"rs274 reads it, ours does not: {error}"
     if refused:
         assert any("ends without M2" in note for note in notes)
@@ -86,7 +84,7 @@ def test_what_is_not_read_is_refused(name):
 def test_real_programs(path, tmp_path):
     folder = pathlib.Path(tmp_path)
     result = check(prepared(path, folder), MANY_TOOLS)
-    # rs274 knows no HAL pins, and no % at the end where there is none at the beginning.
+    # rs274 rejects HAL pins, and a % at the end without one at the beginning.
     assert result == ("refused" if os.path.basename(path) in ("5ax_xyzab-tdr-demo.ngc", "text.ngc") else "same")
     mine, error, _ = ours(path, MANY_TOOLS)
     assert not error and len(mine) > 5
@@ -95,7 +93,7 @@ def test_real_programs(path, tmp_path):
 def test_counts_of_moves():
     count = lambda name: sum(m.kind in ("rapid", "feed", "arc")
                              for m in ours(next(p for p in REAL if name in p), MANY_TOOLS)[0])
-    # rs274 counts one more for a G0 without words.
+    # rs274 counts a G0 without words as a move.
     assert [count("impeller"), count("boat-xyzac"), count("boat-xyzbc")] == [4492, 1832, 1821]
 
 
@@ -111,4 +109,4 @@ def test_random_programs(kind, tmp_path):
 
     with ThreadPoolExecutor() as pool:
         results = list(pool.map(one, range(100)))
-    assert results.count("same") >= 20  # the others are programs that rs274 refuses
+    assert results.count("same") >= 20  # rs274 refuses the others

@@ -1,4 +1,4 @@
-"""kokopelli's scripts: Python 2, what they make, and what they say when they are wrong."""
+"""kokopelli's scripts: Python 2, results and error messages."""
 
 import ast
 import math
@@ -22,7 +22,7 @@ PART = re.compile(r'part\(([^"]*), "((?:[^"\\]|\\.)*)"(?:, "(#[0-9a-f]{6})")?\)'
 
 
 def answer_of(path):
-    """What `python3 -m fieldfab.script` answers."""
+    """Returns the output of `python3 -m fieldfab.script`."""
     environment = {**os.environ, "PYTHONPATH": str(BUILD / "python")}
     words = [sys.executable, "-m", "fieldfab.script", path]
     done = subprocess.run(words, capture_output=True, text=True, env=environment, timeout=100)
@@ -36,7 +36,7 @@ def answer_to(tmp_path, text, name="design.ko"):
 
 
 def parts_in(answer):
-    """The parts of an answer: (formula, name, colour)."""
+    """Returns the parts of an answer: (formula, name, colour)."""
     assert answer.startswith("ok\n") and answer.endswith("\n")
     parts, bindings = [], []
     for line in answer[3:].splitlines():
@@ -79,7 +79,7 @@ def test_mill_has_its_names_and_colours(mill):
 
 
 def mill_expected():
-    """Volume and bounds of each part in inches."""
+    """Returns volume and bounds of each part, inches."""
     yield 25.0, (-5, -5, -0.25, 5, 5, 0)
     for i in range(4):
         x, y = (i % 2) * 8 - 4, (i // 2) * 8 - 4
@@ -197,7 +197,7 @@ def test_python2_statements(tmp_path, text):
 
 
 def test_random_numbers_are_those_of_python2(tmp_path):
-    """A text as a seed is hashed as Python 2 did, which Python 3 keeps as version 1; choice() scales random()."""
+    """A text as seed is hashed as in Python 2 (version 1 in Python 3); choice() scales random()."""
     found = run(tmp_path, "from random import *\nseed('mtm a-z')\na = random()\n"
                           "seed(5)\nb = random()\nseed(5)\nc = choice(range(10))\n")
     expected = random.Random()
@@ -241,7 +241,7 @@ def test_errors_name_their_line(tmp_path, text):
     assert answer.startswith(ERRORS[text]) and "\n" not in answer
 
 
-# What scripts make of shapes
+# Shapes of scripts
 
 
 def test_none_is_no_shape(tmp_path):
@@ -263,7 +263,7 @@ def test_units_default_to_inches_and_function_takes_math_strings(tmp_path):
 
 
 def test_what_has_no_end_ends_at_its_bounds(tmp_path):
-    """A mould: all of space less a ball, as in kokopelli's examples."""
+    """A mould, the complement of a ball, as in kokopelli's examples."""
     [(formula, _, _)] = koko(tmp_path, "m = MathTree(-1)\nm -= sphere(0, 0, 0, 1)\n"
                                        "m.bounds = [-2, 2, -2, 2, -2, 0]\ncad.shape = m\n")
     low, high = ff.measure(formula).volume
@@ -271,7 +271,7 @@ def test_what_has_no_end_ends_at_its_bounds(tmp_path):
 
 
 def test_formulas_are_arithmetic_and_shapes_are_sets(tmp_path):
-    """A tooth of formulas: `shape` says which."""
+    """A tooth made of formulas; `shape` decides between arithmetic and sets."""
     [(formula, _, _)] = koko(tmp_path, "r = MathTree.sqrt(MathTree.square(X) + MathTree.square(Y))\n"
                                        "t = 2 * r - 1 / MathTree.max(r, 0.5)\nt.shape = True\nt &= -X\ncad.shape = t\n")
     x, y, _ = np.random.default_rng(1).uniform(-2, 2, (3, 500))
@@ -361,7 +361,7 @@ def test_all_names_of_the_libraries_are_there(tmp_path):
 
 
 def test_text_takes_the_room_of_kokopellis():
-    """Widths of its letters: H 0.6, i 0.15, 0.1 between letters; lines 1.55 apart."""
+    """Widths of letters: H 0.6, i 0.15; gap 0.1; line height 1.55."""
     for align, x, y in (("LT", 0, -2), ("CC", -0.85, -1), ("RB", -1.7, 0)):
         shape = k.text("Hi", 0, 0, 2, align)
         assert shape.bounds[:4] == pytest.approx([x, x + 1.7, y, y + 2])
@@ -394,7 +394,7 @@ def test_boards_connect_their_pins():
             assert all(placed.pads(placed[i + 1].x, placed[i + 1].y, 0) < 0 for i in range(len(part.pins))), part
 
 
-# Python scripts answer in the same form
+# Python scripts give answers in the same form
 
 SHAPES = "from fieldfab.shapes import *\nfrom fieldfab import X, Y, Z\n"
 

@@ -1,7 +1,8 @@
-"""Every function of the library that takes a solid, of a formula, a scan, a mesh and a design: valid meshes, by CGAL.
+"""Every library function with a solid argument, applied to a formula, a scan, a mesh and a design: meshes are valid by
+CGAL.
 
-Every function has two of the four leaves in turn. FIELDFAB_FINE=1 takes all of them, with four times as many cells
-along each axis, and looks for all that is thinner."""
+Every function is tested with two of the four leaves, in rotation. FIELDFAB_FINE=1 tests all of them, with four times as
+many cells along each axis, and searches for thinner features."""
 
 import os
 
@@ -16,7 +17,7 @@ SHAPES = {"shape", "a", "b", "formula"}
 TAKING_SOLIDS = {f["name"]
                  for f in ff.library() if f["group"] != "numbers" and SHAPES & {p["name"] for p in f["parameters"]}}
 
-# A leaf is S, about 4 mm long; what has no end is cut off.
+# S is a leaf, about 4 mm long; unbounded results are cut off.
 CALLS = {
     "extrude": "extrude(S, 2, -1)", "revolve": "revolve(move(S, 4))", "loft": "loft(S, circle(1.5), 2)",
     "union": "union(S, sphere(1.6))", "intersection": "intersection(S, sphere(1.6))",
@@ -44,15 +45,14 @@ CALLS = {
     "array_polar": "array_polar(move(S, 3), 5)",
     "map": "map(S, x + 0.2 * sin(y), y, z)",
 }
-# At the tip of a taper points are moved to infinity. There only formulas tell by intervals that they are outside, so
-# bounds are given.
+# A taper moves points at its tip to infinity, where only intervals of formulas prove emptiness. Hence the given bounds.
 UNBOUNDED = {"taper": (-2.5, -2.5, -2.5, 2.5, 2.5, 2.5)}
 FORMULA = "move(rounded_box(3.6, 3, 2.4, 0.4) - cylinder(0.4, 9), 0.2, 0.1, 0)"
 
 
 @pytest.fixture(scope="module")
 def leaves(tmp_path_factory):
-    """{kind: the text of a leaf}, and the folder that has their files."""
+    """Returns {kind: text of a leaf} and the folder of their files."""
     folder = tmp_path_factory.mktemp("leaves")
     (folder / "part.csg").write_text("difference() { cube(size = [3.6, 3, 2.4], center = true); cylinder($fn = 12, "
                                      "$fa = 12, $fs = 2, h = 9, r1 = 0.5, r2 = 0.3, center = true); }")

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Fieldfab's Remesh against MeshLab's own Uniform Mesh Resampling, with the same size of cells, in the same
-meshlabserver, one after the other. Prints the table of docs/meshlab.md. Run it as PYTHONPATH=build/release/python
-/usr/bin/python3 tests/hosts/meshlab_bench.py"""
+"""Compares Fieldfab's Remesh with MeshLab's Uniform Mesh Resampling, with equal cells, in the same meshlabserver.
+Prints the table of docs/meshlab.md. Run it as PYTHONPATH=build/release/python /usr/bin/python3
+tests/hosts/meshlab_bench.py"""
 
 import pathlib
 import sys
@@ -19,7 +19,7 @@ THEIRS = "Uniform Mesh Resampling"
 
 
 def on_surface(mesh, count=200_000, seed=1):
-    """Places evenly on a mesh's triangles, and its vertices."""
+    """Returns points distributed uniformly over a mesh's triangles, and its vertices."""
     vertices, triangles = np.asarray(mesh.vertices, float), np.asarray(mesh.triangles)
     a, b, c = (vertices[triangles[:, i]] for i in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -32,13 +32,13 @@ def on_surface(mesh, count=200_000, seed=1):
 
 
 def away(places, mesh):
-    """Of the places the mean and the largest distance to the mesh's nearest triangle (CGAL)."""
+    """Returns mean and maximum distance of the points to the mesh (CGAL)."""
     distances = np.abs(mesh.solid().values(places))
     return f"{distances.mean():.3g} / {distances.max():.3g}"
 
 
 def seconds(folder, path, steps, tries=3):
-    """The shortest time of a script, less that of loading only; what was said last."""
+    """Returns the shortest time of a script without loading, and the last output."""
     best, idle = float("inf"), float("inf")
     for _ in range(tries):
         began = time.perf_counter()

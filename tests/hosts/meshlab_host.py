@@ -1,4 +1,4 @@
-"""MeshLab with and without a window, for tests and figures: a home folder of its own, scripts, and meshes for it."""
+"""MeshLab with and without a window, for tests and figures: a separate home folder, scripts and meshes."""
 
 import os
 import pathlib
@@ -22,7 +22,7 @@ VOLUME = "Fieldfab: Volume import with threshold"
 DEVIATION = "Fieldfab: Deviation from a layer or f-rep"
 REPORT = "Fieldfab: Validity report"
 
-# Every parameter of each filter, in its order: Debian's meshlabserver stops at an assertion where a script lacks one.
+# Every parameter of each filter, in order: Debian's meshlabserver fails an assertion if a script lacks one.
 PARAMETERS = {
     REMESH: {"Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0), "GapWidth": ("AbsPerc", 0)},
     OFFSET: {"Distance": ("AbsPerc", 1), "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
@@ -44,8 +44,7 @@ PARAMETERS = {
 
 
 def script(*steps):
-    """Returns the text of an .mlx file. Steps are names of filters, or pairs of a name and the parameters that differ
-    from PARAMETERS."""
+    """Returns the text of an .mlx file. Steps are names of filters, or pairs of a name and changes to PARAMETERS."""
     lines = ["<!DOCTYPE FilterScript>", "<FilterScript>"]
     for step in steps:
         name, given = (step, None) if isinstance(step, str) else step
@@ -76,7 +75,7 @@ class Said:
 
 
 def serve(folder, meshes, steps, output=None, screen=None, timeout=300, mask=()):
-    """Runs meshlabserver over a script and returns its output. `output`: the file of the last layer, or a list with a
+    """Runs meshlabserver with a script and returns its output. `output`: the file of the last layer, or a list with a
     file for each layer."""
     folder = pathlib.Path(folder)
     arguments = [str(SERVER)]
@@ -98,7 +97,7 @@ def serve(folder, meshes, steps, output=None, screen=None, timeout=300, mask=())
 
 
 def write_ply(path, vertices, triangles):
-    """A binary .ply, of anything: also of vertices that are NaN."""
+    """Writes a binary .ply without checks; vertices may be NaN."""
     vertices, triangles = np.asarray(vertices, "<f4"), np.asarray(triangles, "<i4").reshape(-1, 3)
     rows = np.zeros(len(triangles), [("count", "u1"), ("corners", "<i4", 3)])
     rows["count"], rows["corners"] = 3, triangles
@@ -110,7 +109,7 @@ def write_ply(path, vertices, triangles):
 
 
 def verdict(path):
-    """What CGAL says of a mesh file, and the mesh."""
+    """Returns CGAL's verdict on a mesh file, and the mesh."""
     mesh = fieldfab.Mesh.load(path)
     return fieldfab.inspect(mesh), mesh
 
@@ -125,7 +124,7 @@ def cube(side=20.0, at=(0, 0, 0)):
 
 
 def sphere(rings=48, radius=20.0, at=(0, 0, 0)):
-    """Between the poles rings of quadrilaterals, each of them two triangles."""
+    """Returns a sphere of rings of quadrilaterals, each split into two triangles."""
     theta, phi = np.linspace(0, np.pi, rings + 1)[1:-1], np.arange(2 * rings) * np.pi / rings
     grid = np.stack([np.outer(np.sin(theta), np.cos(phi)), np.outer(np.sin(theta), np.sin(phi)),
                      np.outer(np.cos(theta), np.ones_like(phi))], -1).reshape(-1, 3)
@@ -141,7 +140,7 @@ def sphere(rings=48, radius=20.0, at=(0, 0, 0)):
 
 
 def with_holes(mesh, count=6, radius=3.0, seed=1):
-    """Without the triangles near some places."""
+    """Returns the mesh without the triangles near `count` random points."""
     vertices, triangles = mesh
     middles, random = vertices[triangles].mean(1), np.random.default_rng(seed)
     keep = np.ones(len(triangles), bool)
@@ -151,7 +150,7 @@ def with_holes(mesh, count=6, radius=3.0, seed=1):
 
 
 def figure_eight(radius=20.0, tube=5.0, around=240, across=48):
-    """A tube along a lemniscate that lies flat: it goes through itself where the curve crosses itself."""
+    """Returns a tube along a plane lemniscate; it intersects itself where the curve crosses itself."""
     t, p = np.arange(around) * 2 * np.pi / around, np.arange(across) * 2 * np.pi / across
     centre = radius * np.stack([np.sin(t), np.sin(t) * np.cos(t), 0 * t], -1)
     along = np.stack([np.cos(t), np.cos(2 * t), 0 * t], -1)
@@ -179,7 +178,7 @@ def joined(*meshes):
 
 
 def plates(count=6, thickness=1.0, side=40.0, gap=3.0):
-    """Thin plates above each other, each a box, all turned a little."""
+    """Returns a stack of thin boxes, slightly rotated."""
     boxes = []
     for n in range(count):
         v, t = cube(1.0)
@@ -190,7 +189,7 @@ def plates(count=6, thickness=1.0, side=40.0, gap=3.0):
 
 
 def scan(path, voxel=1.5):
-    """The head of the CT scan as a mesh of some 500,000 triangles."""
+    """Writes the head of the CT scan as a mesh of some 500,000 triangles."""
     fieldfab.mesh(fieldfab.load(DATA_CT / "cthead"), voxel=voxel).save(path)
     return path
 
@@ -199,7 +198,7 @@ DATA_CT = pathlib.Path(__file__).resolve().parents[2].parent / "shared" / "data"
 
 
 class Window:
-    """MeshLab's window on a screen of its own, driven by keys as a user does; what it logs is on its stdout."""
+    """MeshLab's window on a separate screen, driven by keys. Its log goes to its stdout."""
 
     def __init__(self, home, screen, *files):
         self.home, self.env = pathlib.Path(home), environment(home, DISPLAY=screen)
@@ -242,7 +241,7 @@ class Window:
         return self.log.read_text(errors="replace")
 
     def wait_for(self, words, seconds=60, times=1):
-        """Until it has logged these words so often. Raises AssertionError."""
+        """Waits until the log has these words `times` times. Raises AssertionError after `seconds`."""
         end = time.time() + seconds
         while self.said().count(words) < times:
             assert self.process.poll() is None, f"MeshLab has ended: {self.said()[-2000:]}"
@@ -250,7 +249,7 @@ class Window:
             time.sleep(0.1)
 
     def open_filter(self, name):
-        """By MeshLab's own search; leaves its dialog in front, with the focus on Apply."""
+        """Opens a filter by MeshLab's search. Its dialog is then in front, with the focus on Apply."""
         self.focus(self.window)
         self.keys("ctrl+f")
         self.type(name.replace(":", "").split("(")[0])
@@ -262,10 +261,10 @@ class Window:
         return dialogs
 
     def fill_in(self, rows_from_the_last):
-        """Types values into the dialog: numbers of steps back from Apply, and texts; goes back to Apply."""
+        """Types values into the dialog: pairs of steps back from Apply, and text. Returns the focus to Apply."""
         for steps, text in rows_from_the_last:
             self.keys(*["shift+Tab"] * steps)
-            if text == "Down":  # the next choice of a list
+            if text == "Down":  # selects the next item of a list
                 self.keys("Down")
             else:
                 self.keys("ctrl+a")
@@ -273,7 +272,7 @@ class Window:
             self.keys(*["Tab"] * steps)
 
     def aside(self):
-        """Moves the dialog to where it hides little of the mesh."""
+        """Moves the dialog away from the mesh."""
         self._do("windowmove", self._do("getwindowfocus").strip(), "4", "500")
         time.sleep(0.5)
 

@@ -24,7 +24,7 @@ def ball_volume(radius):
 
 
 def result_of(tmp_path, mesh, *steps, more=(), close=True):
-    """The last layer after the steps; CGAL finds it valid."""
+    """Returns the last layer after the steps; asserts that CGAL finds it valid."""
     inputs = ([write_ply(tmp_path / f"in{n}.ply", *each) for n, each in enumerate([mesh, *more])]
               if mesh is not None else [])
     said = serve(tmp_path, inputs, steps, tmp_path / "out.ply")
@@ -53,10 +53,10 @@ def test_remesh_makes_a_valid_solid_of_any_soup(tmp_path, kind):
         "closed": (ball, ball_volume(20)),
         "holes": (with_holes(ball), ball_volume(20)),
         "inverted": ((vertices, triangles[:, ::-1]), ball_volume(20)),
-        # Two balls, 20 apart, the second inside out: what they share is wound around 1 - 1 = 0 times.
+        # Two balls, 20 apart, the second inverted: their intersection has winding number 1 - 1 = 0.
         "overlapping": (joined(ball, sphere(48, at=(20, 0, 0))),
                         2 * ball_volume(20) - math.pi / 12 * (4 * 20 + 20) * (2 * 20 - 20) ** 2),
-        # No vertex is shared.
+        # No shared vertices.
         "split": ((vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)), ball_volume(20)),
     }[kind]
     result, _, said = result_of(tmp_path, soup, (REMESH, {"Voxel": 0.5}))
@@ -126,9 +126,9 @@ def test_drain_holes_make_one_surface_with_handles(tmp_path):
         result, found, said = result_of(tmp_path, sphere(48),
                                         (SHELL, {"Wall": 2, "DrainHoles": count, "HoleDiameter": 4, "Voxel": 0.7}))
         assert found.components == 1 and euler(result) == 4 - 2 * count, said.text
-        # Between two spheres, along their axis.
+        # Volume of a rod between two concentric spheres.
         rod = 2 * math.pi / 3 * ((20**3 - (20**2 - 2**2) ** 1.5) - (18**3 - (18**2 - 2**2) ** 1.5))
-        if count < 3:  # the third is where the wall is askew
+        if count < 3:  # the third meets the wall obliquely
             assert closed.volume - result.volume == pytest.approx(count * rod, rel=0.2)
 
 
@@ -173,7 +173,8 @@ def test_a_smooth_union_is_larger_and_a_smooth_intersection_smaller(tmp_path):
 
 @pytest.mark.parametrize("lattice", [0, 1, 2])
 def test_lattice_infill(tmp_path, lattice):
-    """A wall, and within it less than everything and more than nothing; the bare lattice is all of the cube's share."""
+    """The infill's volume lies between that of the wall and of the cube; without a wall it is the lattice's share of
+    the cube."""
     result, _, _ = result_of(tmp_path, cube(20),
                              (LATTICE, {"Lattice": lattice, "Period": 8, "Strut": 1, "Wall": 1.5, "Voxel": 0.5}))
     assert 20**3 - 17**3 < result.volume < 20**3 - 0.5 * 17**3
@@ -185,7 +186,7 @@ def test_lattice_infill(tmp_path, lattice):
 def test_a_solid_from_a_formula(tmp_path):
     result, _, _ = result_of(tmp_path, None,
                              (FREP, {"Formula": "difference(sphere(10), cylinder(4, 40))", "Voxel": 0.3}))
-    # A ball with a bore: what is left is a ball whose diameter is the bore's length (napkin ring).
+    # A ball with a bore has the volume of a ball whose diameter is the bore's length (napkin ring).
     assert result.volume == pytest.approx(math.pi / 6 * (2 * math.sqrt(100 - 16)) ** 3, rel=0.003)
     result, _, _ = result_of(tmp_path, None,
                              (FREP, {"Formula": "abs(x) - 3", "Bounds": "-5,-5,-5,5,5,5", "Voxel": 0.5}))
@@ -229,7 +230,7 @@ def test_a_file_of_parts_is_one_layer_in_their_colours(tmp_path):
 def test_the_log_tells_how_certain_a_mesh_is(tmp_path):
     box = result_of(tmp_path, None, (FREP, {"Formula": "box(10, 10, 10)", "Voxel": 0.5}))[2]
     assert "the mesh is certain" in box, box.text
-    # No size of cells tells balls that touch from balls that do not.
+    # No cell size separates touching balls.
     touching = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"
     balls = serve(tmp_path, [], [(FREP, {"Formula": touching, "Voxel": 0.25})], tmp_path / "balls.ply")
     assert "the mesh is not certain at 1 place, the largest " in balls and "the mesh is certain" not in balls, (
@@ -239,7 +240,7 @@ def test_the_log_tells_how_certain_a_mesh_is(tmp_path):
 
 
 def ball_volume_file(folder):
-    """A scan of a ball of radius 12 in the middle of a cube of 32 mm, blurred, as .nrrd."""
+    """Writes a blurred scan of a ball of radius 12 mm in the centre of a cube of 32 mm, as .nrrd."""
     size, spacing = 64, 0.5
     at = (np.arange(size) + 0.5) * spacing - 16
     distance = 12 - np.sqrt(at[:, None, None] ** 2 + at[None, :, None] ** 2 + at[None, None, :] ** 2)
@@ -256,7 +257,7 @@ def test_a_volume_by_its_threshold(tmp_path):
     result, _, said = result_of(tmp_path, None, (VOLUME, {"File": path}))
     assert "threshold" in said
     assert result.volume == pytest.approx(ball_volume(12), rel=0.01)
-    # The threshold where the distance is 0.6 inside.
+    # The density at 0.6 mm inside the ball.
     inner, _, _ = result_of(tmp_path, None, (VOLUME, {"File": path, "Threshold": 1000 / (1 + math.exp(-0.75))}))
     assert inner.volume == pytest.approx(ball_volume(12 - 0.6), rel=0.01)
 
@@ -283,7 +284,7 @@ def test_deviation_from_a_formula_and_from_a_layer(tmp_path):
                      mask=("-m", "vq", "vc"))
         rows = read_quality(tmp_path / "out.ply")
         assert np.abs(rows["quality"] - expected).max() < bound, said.text
-        assert np.abs(np.stack([rows["x"], rows["y"], rows["z"]], -1) - sphere(48, 20)[0]).max() < 1e-5  # nothing moved
+        assert np.abs(np.stack([rows["x"], rows["y"], rows["z"]], -1) - sphere(48, 20)[0]).max() < 1e-5  # unmoved
         outside, inside = rows[rows["quality"].argmax()], rows[rows["quality"].argmin()]
         assert int(outside["red"]) > int(outside["blue"]) + 50
         assert "root mean square" in said and "####" in said
@@ -323,7 +324,7 @@ def test_a_layer_becomes_an_asdf(tmp_path):
     assert fieldfab.mesh(fieldfab.load(tmp_path / "out.asdf")).volume == pytest.approx(ball_volume(20), rel=0.015)
 
 
-# Bad input: one clear line, and the old layer as it was.
+# Invalid input: one clear line, and an unchanged layer
 
 
 def refused(tmp_path, mesh, step, words, name="in.ply"):

@@ -15,7 +15,7 @@ SHOTS = os.environ.get("FIELDFAB_SHOTS")
 
 @pytest.fixture
 def shot(tmp_path):
-    """Takes a picture of the window; into FIELDFAB_SHOTS where it is wanted."""
+    """Returns a function that takes a screenshot, in FIELDFAB_SHOTS if that is set."""
     return lambda window, name: window.picture(pathlib.Path(SHOTS or tmp_path) / f"{name}.png")
 
 
@@ -49,18 +49,18 @@ def test_menu_dialog_and_result(tmp_path, open_window, shot):
     window.open_filter(REPORT)  # of the new layer
     window.wait_for("It is a valid solid")
     assert "layer 'holes.ply' is open: " in window.said()
-    window.open_filter(REMESH)  # the new layer's own defaults now
+    window.open_filter(REMESH)  # now with the new layer's defaults
     window.apply()
     window.wait_for(f"Applied filter {REMESH}", times=2)
     by_default = int(re.findall(r"LOG: 2 (\d+) triangles, ", window.said())[-1])
-    assert by_default > 1.5 * at_08  # 0.46 mm instead of the 0.8 that were typed
+    assert by_default > 1.5 * at_08  # 0.46 mm instead of the typed 0.8
 
 
 def test_deviation_in_colour(tmp_path, open_window, shot):
     window = open_window(write_ply(tmp_path / "measured.ply", *sphere(96)))
     window.open_filter(DEVIATION)
     window.aside()
-    # Apply, Close, Help, range in %, range, formula, layer, and what it is measured from: a layer or a formula
+    # Apply, Close, Help, range in %, range, formula, layer, reference (layer or formula)
     window.fill_in([(7, "Down"), (5, "move(sphere(20), 0.8, 0, 0.3)")])
     window.apply()
     window.wait_for(f"Applied filter {DEVIATION}")
@@ -85,7 +85,7 @@ def test_cancel_leaves_the_window_and_the_layer(tmp_path, open_window, shot, way
     if way == "escape":
         window.keys("Escape")
     else:
-        window.click(1345, 848)  # Cancel stands at the right end of the status bar
+        window.click(1345, 848)  # Cancel, at the right end of the status bar
     window.wait_for("Cancelled; the layers are as they were", 20)
     assert time.time() - cancelled < 10 and cancelled - began > 1.5
     time.sleep(1)

@@ -1,5 +1,4 @@
-"""Designs read by us and by OpenSCAD: the same volume within 0.5 %, no place of either surface farther than a voxel
-from the other.
+"""Designs read by Fieldfab and by OpenSCAD: volumes agree within 0.5 %, and the Hausdorff distance is at most a voxel.
 
     openscad_designs.py            the table of docs/openscad.md: all examples, ../shared/data/scad, 200 random trees
     openscad_designs.py NAME ...   some of them
@@ -47,7 +46,7 @@ def volume(points, triangles):
 
 
 def places_on(points, triangles, count, seed):
-    """Random places on a surface, evenly by area."""
+    """Returns random points on a surface, uniform by area."""
     source = np.random.default_rng(seed)
     a, b, c = (points[triangles[:, i]] for i in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -57,8 +56,8 @@ def places_on(points, triangles, count, seed):
 
 
 def theirs(design, output):
-    """OpenSCAD's own mesh, and the seconds it took; a flat design is made THICKNESS thick. None where the design is
-    empty."""
+    """Returns OpenSCAD's mesh and its seconds; a flat design is extruded by THICKNESS. The mesh is None for an empty
+    design."""
 
     def run(path):
         started = time.monotonic()
@@ -67,7 +66,7 @@ def theirs(design, output):
 
     done, seconds = run(design)
     if "not a 3D object" not in done.stderr:
-        empty = done.returncode != 0 or len(read_off(output)[1]) == 0  # OpenSCAD writes a file of nothing, too
+        empty = done.returncode != 0 or len(read_off(output)[1]) == 0  # OpenSCAD may write an empty file
         return None if empty else output, seconds, False
     csg = output.with_suffix(".csg")
     subprocess.run(["openscad", "-o", str(csg), str(design)], capture_output=True, check=True, timeout=600)
@@ -89,7 +88,7 @@ def ours(design, output, flat, *options):
 
 
 def contoured(design, folder):
-    """Options by which a design is contoured although its faces can be had: bounds a little wider than it."""
+    """Returns options that force a contour of a design with exact faces: slightly larger bounds."""
     done = subprocess.run([str(c) for c in (COMMAND, "--json", "mesh", design, "-o", folder / "faces.off")],
                           capture_output=True, text=True, timeout=150)
     assert done.returncode == 0, f"{design}: {done.stderr}"
@@ -98,9 +97,8 @@ def contoured(design, folder):
 
 
 def compare(design, folder, refine=0, contour=False):
-    """One row: name, volumes, distances in voxels, times. It is of the exact faces where there are any, unless a
-    contour is wanted. Where the default cells of a contour are too coarse, it is tried again with half of them,
-    `refine` times."""
+    """Returns one row: name, volumes, distances in voxels, times. Uses the exact faces if available, unless a contour
+    is requested. If the default cells of a contour are too coarse, they are halved up to `refine` times."""
     import fieldfab
 
     folder = pathlib.Path(folder)
@@ -129,7 +127,7 @@ def compare(design, folder, refine=0, contour=False):
 
 
 def random_design(seed):
-    """OpenSCAD text of a random tree of solids."""
+    """Returns OpenSCAD text of a random tree of solids."""
     chance = random.Random(seed)
 
     def number(low, high):
@@ -184,7 +182,7 @@ def random_design(seed):
 
 
 def random_extrusion(seed):
-    """OpenSCAD text of an extrusion that is twisted, becomes wider, or both."""
+    """Returns OpenSCAD text of a random extrusion with twist, scale, or both."""
     chance = random.Random(seed)
 
     def number(low, high):

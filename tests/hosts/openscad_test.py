@@ -1,5 +1,5 @@
-"""OpenSCAD's designs: read by every verb, the same solids as OpenSCAD's own; and fieldfab.scad within OpenSCAD. The
-full table: openscad_designs.py."""
+"""OpenSCAD's designs: every verb reads them, and solids equal OpenSCAD's. Also fieldfab.scad in OpenSCAD. Full table:
+openscad_designs.py."""
 
 import json
 import signal
@@ -51,7 +51,7 @@ def test_python_has_the_commands_faces(name, tmp_path):
     for mine in (ff.mesh(field), field.faces()):
         assert (told["exact"] and mine.volume == pytest.approx(told["volume"], rel=1e-7)
                 and mine.area == pytest.approx(told["area"], rel=1e-7))
-        # Which diagonals corefinement takes within a plane, and how many corners stay there, differs from run to run.
+        # Diagonals and vertices of corefinement within a plane differ from run to run.
         assert len(mine.triangles) == pytest.approx(told["triangles"], rel=0.1) and ff.inspect(mine).valid
 
 
@@ -82,7 +82,7 @@ def test_extrusions_have_the_same_facets(seed, tmp_path):
     assert row["exact"] and abs(row["error"]) < 1e-5, (row, design.read_text())
 
 
-# Of 5 the contour is wrong where slivers are thinner than its cells (docs/limits.md); 9 and 13 take minutes.
+# Seed 5 has slivers thinner than a cell, where the contour is wrong (docs/limits.md); 9 and 11 take minutes.
 @pytest.mark.parametrize("seed", [seed for seed in range(12) if seed not in (5, 9, 11)])
 def test_contours_of_random_trees_are_the_same_solids(seed, tmp_path):
     design = random_design(seed, tmp_path)
@@ -96,7 +96,7 @@ def test_what_is_wrong_is_said_in_one_line(tmp_path):
         "teapot();": "the design is empty",
         "intersection() { cube(4); translate([4, 0, 0]) cube(4); }": "the design is empty",
         "difference() { cube(4); cube(4); }": "the solid is empty",
-        # Its intervals leave room for a surface everywhere on the sphere.
+        # Intervals cannot exclude a surface anywhere on the sphere.
         "difference() { sphere(3, $fn=10); sphere(3, $fn=10); }": "no surface was found",
         'import("gone.stl");': "no such file",
         "assert(false);": "Assertion",

@@ -1,5 +1,5 @@
-"""Models of several parts through the command: messages for bad ones, names and colours in files, and verbs that take a
-part."""
+"""Models of several parts through the command: error messages, names and colours in files, and verbs for single
+parts."""
 
 import json
 import math
@@ -69,7 +69,7 @@ def test_an_empty_part_is_told_and_the_others_are_kept(tmp_path, model):
     ("render model.frep -o out.png --size 32", True),
 ])
 def test_each_verb_tells_what_is_left_out_of_parts(tmp_path, model, words, keeps):
-    """Empty parts with file, line and column, and that several become one."""
+    """Reports empty parts with file, line and column, and the union of several parts."""
     voxel = [] if words.startswith("render") else ["--voxel", 0.5]
     done = run(*words.split(), *voxel, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
@@ -83,7 +83,7 @@ NAMES = ['6" pipe', "back\\slash\\", "two\nlines", "it's \\n", "\\\""]
 
 
 def test_names_of_parts_may_have_quotes_backslashes_and_line_ends(tmp_path):
-    """In texts, in files that are opened by them, and in scripts."""
+    """In texts, in files that they open, and in scripts."""
     (tmp_path / "model.py").write_text(
         f"import fieldfab as ff\nfor i, name in enumerate({NAMES!r}): ff.part(ff.shapes.sphere(i + 1), name)\n")
     for there, back in (("model.py", "model.frep"), ("model.frep", "again.frep")):

@@ -1,4 +1,4 @@
-"""Playing simulations back from Python: any moment, the tool and the axes at it, surfaces for drawing."""
+"""Playback of simulations from Python: stock, tool and axes at any time, surfaces for drawing."""
 
 import math
 
@@ -47,7 +47,7 @@ def test_the_middle_of_a_move_has_half_of_its_slot(simulated):
         assert moment["line"] == (6 if share else 5) and moment["tool"] == 1 and not moment["rapid"]
         gone = whole - playback.stock_at(end - 2.4 * (1 - share)).mesh().volume
         assert gone == pytest.approx(3 * (math.pi * 9 + 6 * 24 * share), rel=2e-3)
-    # Half of an arc's time is its top; the axes are there, too.
+    # After half of an arc's time tool and axes are at its top.
     top = playback.at((end + playback.seconds[playback.done_after_line(7) - 1]) / 2)
     assert top["tip"] == pytest.approx([0, 12, -3], abs=0.01) and top["axes"][:3] == pytest.approx(top["tip"], abs=1e-6)
 

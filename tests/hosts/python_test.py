@@ -274,7 +274,7 @@ def test_an_openscad_design_has_its_own_faces():
 
 
 def test_what_is_made_of_a_design_has_its_faces_where_they_stay_true():
-    """A moved or turned design keeps them; an offset or a union has none, and so has what is round."""
+    """A moved or rotated design keeps its exact faces; offsets, unions and round solids have none."""
     field = ff.openscad_design(CORNER).solid
     moved = field.translate(1, 0, 0).rotate((0, 0, 1), 0.5).faces()
     assert (moved.volume == pytest.approx(field.faces().volume, rel=1e-5)

@@ -1,5 +1,4 @@
-"""LinuxCNC's interpreter as an oracle: the canonical moves of a program, in mm (../shared/data/SOURCES.txt says how it
-behaves)."""
+"""LinuxCNC's interpreter as an oracle: the canonical moves of a program, in mm (notes: ../shared/data/SOURCES.txt)."""
 
 import re
 import shutil
@@ -10,7 +9,7 @@ import numpy as np
 
 
 def canonical(program, tools=((1, 0.0, 0.1),)):
-    """The calls (name, [numbers]) that rs274 makes of a G-code file. Raises AssertionError with its message where it
+    """Returns rs274's canonical calls (name, [numbers]) for a G-code file. Raises AssertionError with its message if it
     refuses the file."""
     assert shutil.which("rs274"), "rs274 is missing: ./dev setup installs linuxcnc-uspace"
     with tempfile.TemporaryDirectory() as folder:
@@ -32,7 +31,7 @@ def canonical(program, tools=((1, 0.0, 0.1),)):
 
 
 def moves(program, **keywords):
-    """An (n, 6) array of x, y, z, A, B, C after each move, its kinds, and the arcs' centres (nan for straight ones)."""
+    """Returns an (n, 6) array of x, y, z, A, B, C after each move, the kinds of moves, and centres (NaN for lines)."""
     at, kinds, centres = [], [], []
     for name, n in canonical(program, **keywords):
         if name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):

@@ -1,4 +1,4 @@
-"""The libraries as a stranger meets them: installed, moved, and built against from elsewhere (examples/cpp)."""
+"""The libraries after installation: the installed tree is moved, and examples/cpp are built against it."""
 
 import os
 import shutil
@@ -18,7 +18,7 @@ def run(*command, **more):
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """Where it is after it was installed elsewhere, and moved from there."""
+    """Installs into one folder, and moves the result. Returns its path."""
     folder = tmp_path_factory.mktemp("sdk")
     run("cmake", "--install", BUILD, "--prefix", folder / "first")
     (folder / "first").rename(folder / "prefix")
@@ -47,7 +47,7 @@ def test_a_scan_becomes_a_distance_field(examples, installed, tmp_path):
 
 
 def test_a_medical_file_is_read_by_the_part_that_is_loaded_for_it(examples, installed, tmp_path):
-    """ITK and OpenVDB are in libraries of their own, beside the others wherever these are."""
+    """ITK and OpenVDB are used by separate libraries, in the folder of the others."""
     run(installed / "bin" / "fieldfab", "convert", DATA / "ct" / "cthead", "-o", tmp_path / "head.nrrd")
     run(installed / "bin" / "fieldfab", "convert", tmp_path / "head.nrrd", "-o", tmp_path / "head.vdb")
     assert int(run(examples / "scan_to_asdf", tmp_path / "head.nrrd", tmp_path / "head.asdf").split()[0]) > 1000
@@ -151,7 +151,7 @@ def test_the_completion_and_the_manual_follow_the_command(installed, tmp_path):
 
 
 def test_thumbnails(installed, tmp_path):
-    """A desktop's name for a thumbnail may end in anything."""
+    """A desktop may choose any extension for a thumbnail."""
     run(installed / "libexec" / "fieldfab" / "thumbnailer", ROOT / "examples" / "pawn.frep", tmp_path / "thumbnail.XYZ",
         "128",
         env={**os.environ, "PATH": f"{installed / 'bin'}:{os.environ['PATH']}"})

@@ -1,5 +1,5 @@
-"""Every function of the library: its volume or area in closed form, its value at points, a symmetry, and its promise
-about distances."""
+"""Every function of the library: volume or area in closed form, values at points, a symmetry, and its quality as a
+distance."""
 
 import math
 
@@ -17,18 +17,18 @@ COVERED = set()
 
 
 def covers(*names):
-    """Marks which functions a test is about; test_every_function_is_tested counts them."""
+    """Registers the functions that a test covers, for test_every_function_is_tested."""
     COVERED.update(names)
     return lambda test: test
 
 
 def lump():
-    """Something without any symmetry."""
+    """Returns a solid without any symmetry."""
     return ff.X + 0.3 * ff.Y * ff.Y - ff.sin(2 * ff.Z + ff.X) + 0.1 * ff.Z
 
 
 def same(shape, expected, atol=2e-4):
-    """The shape's values are `expected(x, y, z)` at random points."""
+    """Asserts that the shape's values are `expected(x, y, z)` at random points."""
     got, wanted = shape(*POINTS), expected(*POINTS)
     assert np.allclose(got, wanted, atol=atol, rtol=1e-3), np.abs(got - wanted).max()
 
@@ -42,7 +42,7 @@ def volume(shape, voxel):
 
 
 def area(shape, bounds=5.0, count=1500):
-    """Of a flat shape, by counting points: good to a few thousandths of its size."""
+    """Returns the area of a flat shape by counting points; relative error some thousandths."""
     step = 2 * bounds / count
     axis = np.arange(count) * step - bounds + step / 2
     return float((shape(axis[:, None], axis[None, :], 0.0) < 0).sum()) * step * step
@@ -112,7 +112,7 @@ def test_areas(name):
         strokes = [s.stroke(1, 6, 2, 6, 0.5), s.stroke(2, 6, 2, 0, 0.5), s.stroke(1, 0, 3, 0, 0.5)]
         same(shape, at(s.union(*strokes)))
         return
-    rough = 0.03 if name == "gear" else 4e-3  # teeth and gaps are equal at the pitch circle, nearly so in area
+    rough = 0.03 if name == "gear" else 4e-3  # teeth and gaps are equal at the pitch circle, nearly equal in area
     assert area(shape) == pytest.approx(expected, rel=rough)
 
 
@@ -140,7 +140,7 @@ def test_triangles_and_outlines_go_either_way_round():
 
 @covers("solid")
 def test_a_formula_as_a_solid():
-    """The same values; what is taken from it is taken from a set."""
+    """The solid has the formula's values; its operators are those of sets."""
     ball = s.solid(ff.X * ff.X + ff.Y * ff.Y + ff.Z * ff.Z - 4)
     same(ball, lambda x, y, z: x * x + y * y + z * z - 4)
     same(ball - s.plane(1, 0, 0, 0), lambda x, y, z: np.maximum(x * x + y * y + z * z - 4, -x))
@@ -157,7 +157,7 @@ def test_lattices_repeat_halve_space_and_have_their_symmetries():
     for lattice in (s.gyroid(2.5), s.schwarz_p(2.5), s.diamond(2.5)):
         values = lattice(x, y, z)
         assert np.allclose(values, lattice(x + 2.5, y - 5, z + 2.5), atol=1e-3)
-        assert np.allclose(values, lattice(y, z, x), atol=1e-5)  # threefold
+        assert np.allclose(values, lattice(y, z, x), atol=1e-5)  # threefold symmetry
         cell = lattice(*RANDOM.uniform(0, 2.5, (3, 20000)))
         assert abs((cell < 0).mean() - 0.5) < 0.02
     assert np.allclose(s.gyroid(2.5)(x, y, z), -s.gyroid(2.5)(-x, -y, -z), atol=1e-5)
@@ -170,15 +170,15 @@ def test_lattices_repeat_halve_space_and_have_their_symmetries():
 def test_threads():
     bolt = s.thread(3, 1, 8)
     turn = 0.7
-    near = (np.abs(POINTS[2]) < 2.5) & (np.hypot(POINTS[0], POINTS[1]) > 2)  # and far from the ends
+    near = (np.abs(POINTS[2]) < 2.5) & (np.hypot(POINTS[0], POINTS[1]) > 2)  # far from the ends
     x, y, z = (axis[near] for axis in POINTS)
     screwed = bolt(x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn),
                    z + turn / (2 * math.pi))
-    assert np.allclose(bolt(x, y, z), screwed, atol=1e-3)  # a helix of its pitch, right-handed
+    assert np.allclose(bolt(x, y, z), screwed, atol=1e-3)  # a right-handed helix of its pitch
     depth = 0.625 * math.sqrt(3) / 2
     assert ((bolt(x, y, z)[np.hypot(x, y) < 3 - depth - 1e-3] < 0).all()
             and (bolt(x, y, z)[np.hypot(x, y) > 3] > 0).all())
-    # ISO 68-1: as much thread as gap at the pitch diameter.
+    # ISO 68-1: thread and gap are equal at the pitch diameter.
     angle = np.linspace(0, 2 * math.pi, 4001)[:-1]
     pitch_radius = 3 - 3 / 8 * math.sqrt(3) / 2
     ring = bolt(pitch_radius * np.cos(angle), pitch_radius * np.sin(angle), 0.0)
@@ -222,7 +222,7 @@ def test_fillets_and_chamfers():
         same(getattr(s, kind + "_intersection")(a, b, 0.7), at(-union(-a, -b, 0.7)))
         same(getattr(s, kind + "_difference")(a, b, 0.7), at(-union(-a, b, 0.7)))
         far = s.move(s.sphere(0.5), 50)
-        same(union(s.sphere(1), far, 0.7), at(s.sphere(1)))  # what is far apart is as it was
+        same(union(s.sphere(1), far, 0.7), at(s.sphere(1)))  # distant solids are unchanged
 
 
 @covers("morph")
@@ -296,8 +296,8 @@ def test_every_function_is_tested():
 
 @pytest.mark.parametrize("name", sorted(n for n in SHAPES if LIBRARY[n]["distance"]))
 def test_distances_are_what_the_docstring_says(name):
-    """A bound never changes by more than the distance between two points. An exact distance leads, along its gradient,
-    straight to the surface."""
+    """A bound is Lipschitz continuous with constant 1. A step along the gradient by an exact distance ends on the
+    surface."""
     said = LIBRARY[name]["distance"]
     assert {"exact": "exact distance", "bound": "a bound", "neither": "neither"}[said] in getattr(s, name).__doc__
     shape = VOLUMES.get(name, AREAS.get(name, (s.plane(1, 2, 3, 0.5) if name == "plane" else None, None)))[0]

@@ -1,4 +1,4 @@
-"""`fieldfab simulate` on the programs of the jobs in examples/cam: they run clean, and faults planted in them are
+"""`fieldfab simulate` on the programs of the jobs in examples/cam: they run without events, and planted faults are
 found."""
 
 import json
@@ -12,11 +12,11 @@ from simulate_test import ROOT, each, follow, only, run, where
 import fieldfab as ff
 
 EXAMPLES = ROOT / "examples" / "cam"
-AFTER = 200  # lines of a program that are still carried out after a planted fault: the programs are long
+AFTER = 200  # lines of a program after a planted fault; the rest is cut off, since programs are long
 
 
 class Example:
-    """A job of examples/cam, in a folder of its own, and its program."""
+    """A job of examples/cam in a separate folder, and its program."""
 
     def __init__(self, name, folder):
         self.folder, self.name = folder, name
@@ -35,7 +35,7 @@ class Example:
         self.removed = {record["line"]: record["removed"] for record in clean["lines"]}
 
     def job_with(self, tag="", **of_first_tool):
-        """The job, its first tool with other sizes."""
+        """Writes the job with other sizes of its first tool."""
         head, tool, rest = (self.job_text.split("[[tool]]", 2) if self.job_text.count("[[tool]]") > 1
                             else (*self.job_text.split("[[tool]]"), None))
         body, *operations = tool.split("[[operation]]")
@@ -54,8 +54,8 @@ class Example:
         return {**json.loads(report.read_text()), "code": done.returncode}
 
     def cuts(self, least):
-        """Indices of straight feeds that remove more than so many mm3 and that a straight feed follows. Only up to the
-        first stop: there the part is turned over."""
+        """Returns indices of straight feeds that remove more than `least` mm3 and precede a straight feed. They end at
+        the first stop, where the part is turned over."""
         end = next((i for i, line in enumerate(self.lines) if line.startswith("M0")), len(self.lines) - 1)
         return [i for i in range(end) if self.removed.get(i + 1, 0) > least and self.lines[i].startswith("G1 ")
                 and self.lines[i + 1].startswith("G1 ")]
@@ -67,7 +67,7 @@ def example(request, tmp_path_factory):
 
 
 def ball_in_part(at, radius, model=[]):
-    """How deep a ball whose tip is there reaches into the bearing, whose top is the program's zero."""
+    """Returns the depth in the bearing of a ball with its tip at `at`. The bearing's top is the program's zero."""
     if not model:
         model.append(ff.load(ROOT / "examples" / "bearing.frep"))
     i = np.arange(2000)
@@ -82,7 +82,7 @@ def test_gouges(example):
     deeper = 0.4
     cuts = example.cuts(0.002)
     if example.name == "knob_five_axis":
-        # Its twin in simulate_test.py has cuts; here the part under a leaning tool is not known in closed form.
+        # No cuts, unlike the same test in simulate_test.py: the part under an inclined tool has no closed form.
         cuts = []
     if example.name == "bearing":
         cuts = [i for i in rng.sample(cuts, 300) if example.tool[i] == 2
@@ -114,7 +114,7 @@ def test_rapids_through_stock(example):
 
 
 def test_short_bits_and_long_holders(example):
-    """The first tool's flutes end 0.05 mm above its tip; then its holder does."""
+    """The first tool's flutes end 0.05 mm above its tip; in a second run its holder begins there."""
     thick = {"pcb_gcode": 0.397, "text_vcarve": 6, "bearing": 3, "knob_five_axis": 8}[example.name]
     for tag, kind, sizes in (("_s", "shank contact", {"flute": 0.05, "length": 20, "shank": thick}),
                              ("_h", "holder contact",
@@ -125,7 +125,7 @@ def test_short_bits_and_long_holders(example):
 
 
 def test_the_modela_program(tmp_path):
-    """RML has no rapids with names; what is too deep is found."""
+    """RML has no explicit rapids; excessive depth is found."""
     example = Example("pcb_modela", tmp_path)
     i = next(i for i, line in enumerate(example.lines)
              if example.removed.get(i + 1, 0) > 0.01 and line.endswith(",-4;"))
@@ -136,7 +136,7 @@ def test_the_modela_program(tmp_path):
 
 
 class Sheet:
-    """The job of the laser, or some parts of it on a smaller sheet, and its program."""
+    """The laser's job, or some of its parts on a smaller sheet, and its program."""
 
     def __init__(self, folder, parts=slice(None), size="[600, 900]"):
         self.folder = folder
@@ -167,7 +167,7 @@ def test_the_laser_cuts_a_sheet(tmp_path):
 
 
 def test_faults_of_the_laser(tmp_path):
-    """Six of the plates: ways to all sides from a corner of an outline, and a beam that is wider than planned."""
+    """Six plates: cuts in all directions from a corner of an outline, and a beam that is wider than planned."""
     sheet = Sheet(tmp_path, slice(-6, None), "[150, 135]")
     clean = sheet.simulate(sheet.lines)
     assert clean["code"] == 0 and not clean["events"], clean["events"][:5]

@@ -1,4 +1,4 @@
-"""What `fieldfab simulate` shows: coloured meshes, pictures and the HTML report, each looked at by other means."""
+"""Output of `fieldfab simulate`: coloured meshes, pictures and the HTML report, each read by independent means."""
 
 import base64
 import html.parser
@@ -14,7 +14,7 @@ import pytest
 from conftest import COMMAND
 
 
-# A plate of 40 x 30 mm that should be faced to z = -1; its sides and bottom are the stock's.
+# A plate of 40 x 30 mm, faced to z = -1; its sides and bottom are the stock's.
 TARGET = "max(max(abs(x) - 20, abs(y) - 15), max(z + 1, -(z + 8)))"
 SETUP = """
 name = "plate <1> & more"
@@ -41,8 +41,8 @@ NASTY = '(<script>alert `x`</script> &amp; "so" \'quoted\' \xfcber)'
 
 
 def program(gouge=-1.0, rapid=False, left_out=None):
-    """Faces the plate row by row. The row at y = 1 goes down to `gouge` in its middle; `rapid` makes a rapid of the row
-    at y = 9."""
+    """Faces the plate row by row. The row at y = 1 reaches down to `gouge` in its middle; `rapid` makes the row at y =
+    9 a rapid."""
     lines = ["G21 G90", "T1 M6", "S10000 M3", "G0 Z5", "G0 X-24 Y-15", "G1 Z-1 F600"]
     for number, y in enumerate(range(-15, 18, 4)):
         there, back = (24, -24) if number % 2 == 0 else (-24, 24)
@@ -73,7 +73,7 @@ def folder(tmp_path_factory):
 
 
 def read_ply(path):
-    """The header's properties, the vertices by name, and the triangles."""
+    """Returns the header's properties, the vertices by name, and the triangles."""
     data = path.read_bytes()
     head, body = data.split(b"end_header\n", 1)
     kinds = {"float": "<f4", "int": "<i4", "uchar": "u1"}
@@ -87,7 +87,7 @@ def read_ply(path):
 
 
 def read_png(data):
-    """(height, width, 3) of a PNG's bytes, by the format's own rules."""
+    """Decodes a PNG by the specification. Returns pixels of shape (height, width, 3)."""
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
     at, chunks = 8, {}
     while at < len(data):
@@ -115,7 +115,7 @@ def read_png(data):
 
 
 class Page(html.parser.HTMLParser):
-    """A page whose elements must nest; collects table cells, images and texts."""
+    """Parses a page, checks that its elements nest, and collects table cells, images and texts."""
 
     VOID = {"meta", "img"}
 
@@ -150,7 +150,7 @@ class Page(html.parser.HTMLParser):
 
 
 def distance_of_plate(p):
-    """Exact signed distances from the plate, and whether a face (no edge) is what is nearest."""
+    """Returns exact signed distances from the plate, and whether the nearest point is on a face, not on an edge."""
     q = np.abs(p - [0, 0, -4.5]) - [20, 15, 3.5]
     outside = np.linalg.norm(np.maximum(q, 0), axis=1)
     return outside + np.minimum(q.max(axis=1), 0), (q > -1e-4).sum(axis=1) < 2
@@ -241,7 +241,7 @@ def test_tools_and_their_times_add_up(folder):
 
 
 def test_pictures_show_the_gouge(folder):
-    """From straight above, places are where they should be: red where it was planted, blue where a row was left out."""
+    """In the top view the planted gouge is red, and the omitted row blue, at their positions."""
     marked = folder / "marked.png"
     base = ("simulate", folder / "gouge.nc", "--setup", folder / "setup.toml", "--size", 400, "--alpha", 0, "--beta", 0)
     assert run(*base, "--picture", marked).returncode == 1

@@ -1,5 +1,5 @@
-"""`fieldfab simulate`: programs of our own CAM run clean. Every planted fault is found, at its line, and nothing
-else."""
+"""`fieldfab simulate`: programs of our CAM run without events. Every planted fault is found at its line, without false
+alarms."""
 
 import json
 import math
@@ -57,7 +57,7 @@ def run(*args, timeout=300):
 
 
 def follow(lines):
-    """Where a program is after each line, and the tool it moves."""
+    """Returns the position after each line of a program, and its tool."""
     places, tools, place, tool = [], [], {}, 0
     for line in lines:
         if found := re.match(r"T(\d+)", line):
@@ -70,7 +70,7 @@ def follow(lines):
 
 
 class Program:
-    """A program of our CAM, its job, and where each of its lines goes."""
+    """A program of our CAM, its job, and the end point of each line."""
 
     def __init__(self, name, folder):
         machine, model, operations = JOBS[name]
@@ -99,14 +99,13 @@ class Program:
         return result
 
     def feeds(self, tool):
-        """Indices of straight feeds of a tool that are followed by another one."""
+        """Returns indices of straight feeds of a tool that precede another straight feed."""
         return [i for i in range(len(self.lines) - 1)
                 if self.tool[i] == tool and self.lines[i].startswith("G1") and self.lines[i + 1].startswith("G1")
                 and "X" in self.at[i]]
 
     def furthest(self, i):
-        """The greatest x that a line goes to; of an arc, the x where it bulges. (An arc may begin further out: that is
-        not its fault.)"""
+        """Returns the greatest x of a move without its start; for an arc, that of its bulge."""
         start, end = self.at[i - 1], self.at[i]
         most = end.get("X", -9999)
         if self.lines[i][:2] in ("G2", "G3"):
@@ -131,7 +130,7 @@ def program(request, tmp_path_factory):
 
 
 def each(items, body):
-    """Runs body(number, item) for all items on both cores; returns what failed."""
+    """Runs body(number, item) for all items on two threads. Returns the failures."""
     with ThreadPoolExecutor(2) as pool:
         return [f for f in pool.map(lambda pair: body(*pair), enumerate(items)) if f]
 
@@ -141,8 +140,8 @@ def where(result, kind):
 
 
 def passes(result, kind):
-    """The lines of the passes with events of a kind: each event names the worst line, and the first and last line of
-    its pass."""
+    """Returns the lines of the passes with events of a kind. Each event names its worst line and the first and last
+    line of its pass."""
     return {line for e in result["events"] if e["kind"] == kind for line in range(e["first_line"], e["last_line"] + 1)}
 
 
@@ -169,15 +168,15 @@ def knob(x, y, z):
 
 
 def depth_in_part(name, at):
-    """How deep a 4 mm ball at these axis values reaches into the part, by points all over it."""
+    """Returns the depth in the part of a 4 mm ball at these axis values, from points on its surface."""
     tip, axis = np.array([at["X"], at["Y"], at["Z"]]), np.array([0.0, 0, 1])
-    if name == "knob":  # the table turns the work by C, then by A
+    if name == "knob":  # the table rotates the workpiece by C, then by A
         a, c = math.radians(at.get("A", 0)), math.radians(at.get("C", 0))
         turned = np.array([[1, 0, 0], [0, math.cos(a), -math.sin(a)], [0, math.sin(a), math.cos(a)]]) @ np.array(
             [[math.cos(c), -math.sin(c), 0], [math.sin(c), math.cos(c), 0], [0, 0, 1]])
         tip, axis = turned.T @ tip, turned.T @ axis
     centre, deepest = tip + 2 * axis, 0
-    for i in range(400):  # on a spiral round the ball
+    for i in range(400):  # on a spiral around the ball
         z = 1 - 2 * (i + 0.5) / 400
         r, angle = math.sqrt(1 - z * z), 2.399963 * i
         deepest = max(deepest, -(knob if name == "knob" else dome)(
@@ -186,7 +185,7 @@ def depth_in_part(name, at):
 
 
 def test_gouges_are_found_at_their_line(program):
-    """A place of the finish 0.4 mm too deep along the tool, wherever there is something of the part to cut into."""
+    """A position of the finish is 0.4 mm too deep along the tool, wherever that reaches the part."""
     rng = random.Random(1)
     candidates = [i for i in program.feeds(2) if program.removed.get(i + 1, 0) > 0.02]
     candidates = [i for i in rng.sample(candidates, min(200, len(candidates)))
@@ -199,7 +198,7 @@ def test_gouges_are_found_at_their_line(program):
         lines[i + 1] = f"G1 {words(program.at[i + 1])}"
         result = program.simulate(lines, program.job, f"_g{number}")
         found = where(result, "gouge")
-        # The tool comes out of it on the next line.
+        # The tool leaves the gouge on the next line.
         if not only(result, "gouge") or not set(found) <= {i + 1, i + 2}:
             return f"line {i + 1} {lines[i]}: {result['events']}"
         return None
@@ -210,8 +209,8 @@ def test_gouges_are_found_at_their_line(program):
 
 def test_rapids_through_stock_are_found_at_their_line(program):
     rng = random.Random(2)
-    # No ridges thinner than a cell, which may lie between its points, and no shavings thinner than `touch`. Finer cells
-    # tell both by their volume.
+    # Without ridges thinner than a cell, which may lie between its points, and chips thinner than `touch`. Finer cells
+    # show both by their volume.
     fine = {record["line"]: record["removed"]
             for record in program.simulate(program.lines, program.job, "_fine", cell=0.15)["lines"]}
     candidates = [i for i in program.feeds(1) + program.feeds(2)
@@ -231,8 +230,7 @@ def test_rapids_through_stock_are_found_at_their_line(program):
 
 @pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_missing_retracts_are_found(program):
-    """Without the lift the next rapid goes through what stands in its way. (Where axes turn, machine z is not a
-    height.)"""
+    """Without a retract the next rapid crosses material. (With rotary axes, machine z is not a height.)"""
     rng = random.Random(3)
     candidates = [i for i in range(len(program.lines) - 1)
                   if re.fullmatch(r"G0 Z[\d.]+", program.lines[i]) and program.tool[i] == 1
@@ -242,7 +240,7 @@ def test_missing_retracts_are_found(program):
         lines = list(program.lines)
         lines[i] = ""
         result = program.simulate(lines, program.job, f"_l{number}")
-        if result["code"] == 0:  # the way happened to be free
+        if result["code"] == 0:  # the path was free by chance
             way = abs(program.at[i + 1]["X"] - program.at[i]["X"]) + abs(program.at[i + 1]["Y"] - program.at[i]["Y"])
             return None if way < 8 else f"line {i + 1}: nothing found"
         wrong = {e["kind"] for e in result["events"]} - {"rapid contact", "gouge"}
@@ -253,7 +251,7 @@ def test_missing_retracts_are_found(program):
 
 
 def test_short_flutes_are_found(program):
-    """Flutes shorter than the cut is deep: the shank meets material, wherever the cutter does, and nowhere else."""
+    """Flutes are shorter than the depth of cut: the shank meets material at every cut, and nowhere else."""
     flutes = [0.4 + 0.1 * k for k in range(12)]
 
     def plant(number, flute):
@@ -270,10 +268,10 @@ def test_short_flutes_are_found(program):
 
 
 def test_holders_that_reach_the_stock_are_found(program):
-    """A tool that sticks out less than it goes down."""
+    """The tool sticks out of its holder by less than the depth of the cuts."""
     lengths = [2.5 + 0.25 * k for k in range(12)]
     lowest = min(at["Z"] for at, tool in zip(program.at, program.tool) if tool == 1 and "Z" in at)
-    top = {"dome": 0.5, "knob": 5.9}[program.name]  # of the stock: the part's bounds may be found a little loose
+    top = {"dome": 0.5, "knob": 5.9}[program.name]  # of the stock, since the part's computed bounds have a margin
 
     def plant(number, length):
         setup = program.with_job(f"_h{number}", lambda text: text.replace(
@@ -292,7 +290,7 @@ def test_holders_that_reach_the_stock_are_found(program):
 
 
 def setup_of(program, extra):
-    """The job as a hand-written set-up, with more tables."""
+    """Returns the job as a hand-written set-up, with additional tables."""
     low, high = ((-22, -17, -8), (22, 17, 0.5)) if program.name == "dome" else ((-15, -15, -6), (15, 15, 6))
     machine = JOBS[program.name][0]
     return f'cell = 0.25\nmachine = "{machine}"\n[stock]\nlower = {list(low)}\nupper = {list(high)}\n{TOOLS}{extra}'
@@ -306,7 +304,7 @@ def test_over_travel_is_found_at_its_lines(program):
         setup.write_text(setup_of(program, f"[limits]\nx = [-1000, {limit}]\n"))
         result = program.simulate(program.lines, setup, f"_o{number}")
         moves = [i for i in range(1, len(program.at)) if re.match(r"G[0123] ", program.lines[i])]
-        surely = {i + 1 for i in moves if program.furthest(i) > limit + 0.01}  # arcs are looked at in chords
+        surely = {i + 1 for i in moves if program.furthest(i) > limit + 0.01}  # arcs are checked as chords
         maybe = {i + 1 for i in moves if program.furthest(i) > limit + 1e-6}
         found = passes(result, "over-travel")
         ends = {e[key] for e in result["events"] if e["kind"] == "over-travel"
@@ -321,8 +319,8 @@ def test_over_travel_is_found_at_its_lines(program):
 
 @pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_fixtures_in_the_way_are_found(program):
-    """A clamp on the stock's edge: lines whose tool comes near it are reported, and no others. The same clamp beside
-    everything is no fault. Lines are chosen by x, which turns in the other program."""
+    """A clamp on the stock's edge: lines whose tool comes near it are reported, and no others. The same clamp outside
+    the work area is no fault. Lines are chosen by x, which rotates in the other program."""
 
     def plant(number, inner):
         setup = program.folder / f"{program.name}_c{number}.toml"
@@ -350,7 +348,7 @@ def test_a_stopped_spindle_is_found(program):
 
 
 def test_a_wrong_length_offset_is_found(program):
-    """G43 with the other tool's longer offset lifts the tool; with a shorter one it digs in."""
+    """G43 with the other tool's longer offset raises the tool; with a shorter one the tool gouges."""
     i = next(i for i, line in enumerate(program.lines) if line == "G43 H2")
     lines = list(program.lines)
     lines[i] = "G43 H1"
@@ -372,7 +370,7 @@ REAL = {
 
 
 def open_edges(path):
-    """How many edges of a binary STL do not belong to two triangles, once in each direction."""
+    """Returns the number of edges of a binary STL that are not shared by two triangles in opposite directions."""
     records = np.fromfile(path, np.dtype([("normal", "<f4", 3), ("corner", "<f4", (3, 3)), ("rest", "<u2")]), offset=84)
     corners = records["corner"].reshape(-1, 3)
     assert len(corners)
@@ -385,8 +383,8 @@ def open_edges(path):
 
 @pytest.mark.parametrize("name", sorted(REAL))
 def test_linuxcnc_five_axis_programs_leave_closed_meshes(name, tmp_path):
-    """Each program on its own kinematics. The stocks are larger than what their authors had: rapids may go through
-    them, and nothing else is wrong."""
+    """Each program on its own kinematics. The stocks are larger than the authors': only rapids through stock are
+    allowed."""
     machine, stock, tools, moves, removed, air = REAL[name]
     setup = tmp_path / "setup.toml"
     setup.write_text(f'cell = 0.5\nmachine = "{machine}"\n[stock]\n{stock}\n' + "".join(
@@ -473,8 +471,8 @@ def test_python_simulates(program):
 
 
 def test_python_shows_any_moment(program, tmp_path):
-    """The stock after half of the lines equals what half of the program leaves. The surface changes only where it was
-    cut."""
+    """The stock after half of the lines equals the result of half of the program. Only cut parts of the surface
+    change."""
     import fieldfab as ff
 
     path = program.folder / f"{program.name}.ngc"
@@ -500,7 +498,7 @@ def test_python_shows_any_moment(program, tmp_path):
 
 
 def test_frames_for_videos(program, tmp_path):
-    """Pictures of one size; the first shows a tool and nearly all of the stock, the last what is left."""
+    """Pictures have one size. The first shows a tool and nearly the whole stock, the last one the final stock."""
     import fieldfab as ff
 
     setup, path = program.job, program.folder / f"{program.name}.ngc"
@@ -519,8 +517,7 @@ def test_frames_for_videos(program, tmp_path):
 
 
 def test_the_slotted_ball_ends_as_it_should(tmp_path):
-    """40,000 moves with both rotary axes turning, overhangs and leaning slots: no contact, no deviation of more than
-    0.05 mm."""
+    """40,000 moves of both rotary axes, overhangs and inclined slots: no contact, and deviations of at most 0.05 mm."""
     made = subprocess.run(["/usr/bin/python3", str(ROOT / "examples/simulation/slotted_ball.py"), str(tmp_path),
                            "40000"], capture_output=True, text=True)
     assert made.returncode == 0, made.stderr
@@ -551,7 +548,8 @@ BLOCK = "cell = 0.5\n[stock]\nlower = [0, 0, -5]\nupper = [20, 10, 0]\n[[tool]]\
 
 
 def test_python_takes_dialects_and_several_programs(tmp_path):
-    """A Fanuc header is refused as LinuxCNC's, and the second of two programs goes on with what the first has left."""
+    """A Fanuc header is refused in LinuxCNC's dialect. The second of two programs continues with the stock of the
+    first."""
     import fieldfab as ff
     setup, first, second = tmp_path / "setup.toml", tmp_path / "first.nc", tmp_path / "second.nc"
     setup.write_text('programs = ["first.nc", "second.nc"]\n' + BLOCK)

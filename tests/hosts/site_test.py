@@ -1,4 +1,4 @@
-"""The site of ./dev docs: Doxygen and Sphinx make it without a warning, and links between its pages lead somewhere."""
+"""The site of ./dev docs: Doxygen and Sphinx build it without a warning, and its internal links resolve."""
 
 import importlib.util
 import os

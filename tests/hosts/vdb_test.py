@@ -1,5 +1,5 @@
-"""Files of OpenVDB with lengths, places and counts that are damaged: refused in one line, without the memory that they
-ask for."""
+"""Files of OpenVDB with damaged lengths, offsets and counts: refused in one line, without allocation of the claimed
+size."""
 
 import pathlib
 import random
@@ -12,11 +12,11 @@ import pytest
 from conftest import COMMAND
 
 LENGTH = b"\xf0\xff\xff\xff"  # nearly 4 GiB
-HEADER = 350  # bytes that are damaged, one after another
+HEADER = 350  # bytes that are damaged in turn
 
 
 def peak():
-    """The most memory that this process has had, MB."""
+    """Returns the peak memory of this process, MB."""
     return int(re.search(r"VmHWM:\s+(\d+)", pathlib.Path("/proc/self/status").read_text())[1]) / 1024
 
 
@@ -92,7 +92,7 @@ def test_a_later_version_is_refused(tmp_path):
 
 
 def test_blocks_of_values_that_are_larger_than_their_memory(tmp_path):
-    """A negative size says that a block is not compressed. OpenVDB would read all of it to a place that is smaller."""
+    """A negative size marks a block as uncompressed. OpenVDB would read it into a buffer that is too small."""
     path = tmp_path / "a.vdb"
     pyopenvdb.write(str(path), grids=[ball("ball")])
     whole = path.read_bytes()
@@ -100,7 +100,7 @@ def test_blocks_of_values_that_are_larger_than_their_memory(tmp_path):
     sizes = [at for at in range(len(whole) - 8) if 16 < number(at) < 20000 and at + 8 + number(at) <= len(whole)]
     codes = set()
     for at in random.Random(1).sample(sizes, 24):
-        size = at + 8 - len(whole)  # all the rest
+        size = at + 8 - len(whole)  # the rest of the file
         path.write_bytes(whole[:at] + size.to_bytes(8, "little", signed=True) + whole[at + 8:])
         done = subprocess.run([COMMAND, "info", path], capture_output=True, text=True, timeout=60)
         codes.add(done.returncode)

@@ -1,6 +1,6 @@
-"""Damaged volumes of the formats whose readers are libraries that the fuzzers cannot be built with (ITK, OpenVDB), and
-PNG slices: each is an Error or a volume that can be read, never a crash and never without an end. Debian's GDCM, the
-reader of DICOM, has assertions that end the process that it runs in."""
+"""Damaged volumes in formats of libraries that the fuzzers cannot include (ITK, OpenVDB), and PNG slices: each gives an
+Error or a readable volume, never a crash or an endless loop. Assertions of Debian's GDCM, the reader of DICOM, abort
+its process."""
 
 import os
 import subprocess
@@ -10,14 +10,13 @@ import pytest
 from conftest import BUILD, COMMAND
 from volume_test import FORMATS, files
 
-# FIELDFAB_MUTATIONS says how many of each format are tried, FIELDFAB_MUTATION_SECONDS for how long at most; `./dev
-# fuzz` sets both.
+# FIELDFAB_MUTATIONS: number of files per format; FIELDFAB_MUTATION_SECONDS: time limit. `./dev fuzz` sets both.
 COUNT = int(os.environ.get("FIELDFAB_MUTATIONS", "150"))
 SECONDS = float(os.environ.get("FIELDFAB_MUTATION_SECONDS", "inf"))
 SEEDS = ("mha", "mha, compressed", "mhd", "nrrd", "nrrd, gzip", "nhdr", "nifti", "nifti, gzip", "nifti, big-endian",
          "png stack, 16 bit", "dicom", "dicom, scaled")
 
-# Run in a process of its own, which a crash ends: the file is left as it was then.
+# Runs in a separate process; after a crash the file that caused it remains.
 LOOP = """
 import pathlib, random, resource, sys, time
 import fieldfab as ff
@@ -65,7 +64,7 @@ def mutate(path, opened, seed, count=COUNT):
     environment = {**os.environ, "PYTHONPATH": str(BUILD / "python")}
     done = subprocess.run(python, env=environment, capture_output=True, text=True, timeout=60 + min(2 * count, SECONDS))
     assert done.returncode == 0, f"{done.returncode} at {path}\n{done.stderr[-2000:]}"
-    read, refused = map(int, done.stdout.splitlines()[-1].split())  # OpenVDB may have written a warning before
+    read, refused = map(int, done.stdout.splitlines()[-1].split())  # a warning of OpenVDB may precede
     assert refused > 0 and (read + refused == count or SECONDS < float("inf"))
     assert done.stderr == ""
 

@@ -1,4 +1,4 @@
-"""Volumes through the command: every format, written here from one ball, and every error that a file can have."""
+"""Volumes through the command: every format, written here from one ball, and every error in files."""
 
 import gzip
 import json
@@ -19,7 +19,7 @@ CT = DATA / "ct"
 
 
 def ball():
-    """Densities of a ball of radius 4 mm in the middle of the lattice, 0 to 255, shape (nz, ny, nx)."""
+    """Returns densities of a ball of radius 4 mm in the centre of the lattice, 0 to 255, shape (nz, ny, nx)."""
     z, y, x = np.meshgrid(*(np.arange(n) for n in SIZE[::-1]), indexing="ij")
     away = np.sqrt(sum(((a - (n - 1) / 2) * s) ** 2 for a, n, s in zip((x, y, z), SIZE, SPACING)))
     return np.round(np.clip(128 + 60 * (4 - away), 0, 255)).astype(np.uint8)
@@ -27,7 +27,7 @@ def ball():
 
 BALL = ball()
 VOLUME = 4 / 3 * np.pi * 4**3
-NEAR = 0.03  # straight lines between samples 1 mm apart cut off that much of a ball of 4 mm
+NEAR = 0.03  # linear interpolation between samples 1 mm apart loses that share of a ball of 4 mm
 
 
 def run(*arguments, ok=True, **more):
@@ -46,7 +46,7 @@ def meshed_volume(path, tmp_path, *options):
 
 
 def refused(path, *options):
-    """The one line that is said about a file that cannot be used."""
+    """Returns the one-line error message for an invalid file."""
     done = run("build", path, "-o", path.parent / "never.asdf", *options, ok=False)
     lines = [line for line in done.stderr.splitlines() if line.strip()]
     assert done.returncode == 2 and len(lines) == 1, (done.returncode, done.stderr)
@@ -95,7 +95,7 @@ def png(rows, depth=8):
 
 
 def tiff(rows, palette=False):
-    """Uncompressed, little-endian, one strip."""
+    """Returns an uncompressed, little-endian TIFF with one strip."""
     kind = {"u": 1, "i": 2, "f": 3}[rows.dtype.kind]
     data = rows.tobytes()
     colours = struct.pack("<768H", *(257 * (255 - i) for _ in range(3) for i in range(256))) if palette else b""
@@ -111,7 +111,7 @@ def tiff(rows, palette=False):
 
 
 def dicom(number, series="1.2.3", rows=None, slope=1, intercept=0, z=None, directions="1\\0\\0\\0\\1\\0"):
-    """A CT slice, explicit little-endian."""
+    """Returns a CT slice as DICOM, explicit little-endian."""
     rows = BALL[number] if rows is None else rows
 
     def element(group, tag, kind, value):
@@ -242,7 +242,7 @@ def test_volumes_are_written_and_read_back(tmp_path, to):
 
 
 def test_oblique_scans_stand_where_their_files_say(tmp_path):
-    """The solid of CT_pitch, by the mesh's centre of mass, against the samples' places by the file's own transform."""
+    """Compares the mesh's centre of mass for CT_pitch with that of its samples under the file's transform."""
     import fieldfab as ff
 
     volume = ff.Volume.open(CT / "CT_pitch.nii.gz")
@@ -351,7 +351,7 @@ def test_the_histogram_is_drawn(tmp_path):
 
 
 def test_the_head(tmp_path):
-    """cthead with one command; both thresholds give meshes that CGAL finds nothing wrong with."""
+    """cthead with one command; both thresholds give meshes that are valid by CGAL."""
     out = run("build", CT / "cthead", "-o", tmp_path / "head.asdf").stdout
     assert "256 x 256 x 99 samples of 1 x 1 x 2 mm" in out
     assert (tmp_path / "head.asdf").stat().st_size < 256 * 256 * 99 * 4 / 12

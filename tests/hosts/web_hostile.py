@@ -1,10 +1,10 @@
-"""Clients with bad manners, for so many seconds: they vanish in the middle, send garbage, flood, hold connections open
-and read nothing.
+"""Hostile clients for some seconds: they disconnect during requests, send garbage, flood, hold connections open and
+read no answers.
 
     PYTHONPATH=build/release/python /usr/bin/python3 tests/hosts/web_hostile.py [SECONDS]
 
-A polite client asks for a picture all the while. Prints how long it waited, and how the memory of the server and its
-workers grew."""
+A regular client requests pictures at the same time. Prints its waiting times and the memory of the server and its
+workers."""
 
 import asyncio
 import contextlib
@@ -19,7 +19,7 @@ import aiohttp
 from web_server import Server, Socket, children
 
 PAGE = {"text": "sphere(5) - box(3, 3, 20)", "width": 200, "height": 150}
-# Texts that take long, much memory or deep stacks.
+# Texts that need much time, memory or stack.
 HEAVY = ["a0 = sphere(1)\n" + "".join(f"a{i + 1} = a{i} | move(a{i}, {1.1**i})\n" for i in range(40)) + "a40\n",
          "(" * 200_000 + "1" + ")" * 200_000, "gyroid(0.01) & sphere(500)",
          "sphere(1" + " + 1" * 100_000 + ")", "box(1e9, 1e9, 1e-9) - " * 2000 + "sphere(1)"]  # fmt: skip
@@ -32,7 +32,7 @@ async def connection(port):
 
 
 async def vanishes(port):
-    """Asks for a heavy picture and is gone before it is there."""
+    """Requests an expensive picture and disconnects before the answer."""
     async with aiohttp.ClientSession() as session, session.ws_connect(f"http://127.0.0.1:{port}/api/socket") as socket:
         for number in range(random.randint(1, 8)):
             await socket.send_str(json.dumps({"number": number, "view": str(number), **PAGE,
@@ -64,7 +64,7 @@ async def sends_garbage(port):
 
 
 async def floods(port):
-    """Requests as fast as they go, and reads no answer."""
+    """Sends requests as fast as possible, and reads no answers."""
     async with aiohttp.ClientSession() as session, session.ws_connect(f"http://127.0.0.1:{port}/api/socket") as socket:
         for number in range(2000):
             text = f"sphere({5 + number % 100 / 100})"
@@ -74,7 +74,7 @@ async def floods(port):
 
 
 async def holds(port):
-    """A connection that says a little now and then, or half of an upload."""
+    """Sends some bytes now and then, or half of an upload."""
     _, writer = await connection(port)
     writer.write(random.choice([b"", b"GET / HTTP/1.1\r\nHost: ", f"PUT /api/scans/held{random.randrange(10**9)}.nii "
                                 f"HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Length: 100000000\r\n\r\n".encode()]))
@@ -103,7 +103,7 @@ async def again_and_again(hostile, port, end):
 
 
 async def polite(server, end, waited):
-    """A picture of a text of its own, every fifth of a second."""
+    """Requests a picture of its own text every 0.2 s."""
     while time.monotonic() < end:
         started = time.monotonic()
         async with Socket(server) as socket:
@@ -111,7 +111,7 @@ async def polite(server, end, waited):
                 started = time.monotonic()
                 await socket.send({"number": number, **PAGE, "text": f"{PAGE['text']} # {random.random()}",
                                    "coarse": True})
-                # The turn awaits it, so that the number is still the turn's.
+                # Awaited within the iteration, so that `number` is unchanged.
                 await socket.until(lambda told: told["type"] == "picture" and told["number"] == number)  # noqa: B023
                 waited.append(time.monotonic() - started)
                 if time.monotonic() > end:
@@ -120,7 +120,7 @@ async def polite(server, end, waited):
 
 
 def resident(server):
-    """MB of the server, and of its workers together."""
+    """Returns the memory of the server and the total of its workers, MB."""
     def of(number):
         with contextlib.suppress(OSError):
             return int(next(line for line in open(f"/proc/{number}/status") if line.startswith("VmRSS"))
@@ -131,8 +131,8 @@ def resident(server):
 
 
 async def siege(server, seconds, crowd=4):
-    """Returns (seconds that the polite client waited, [(seconds since the start, MB of the server, MB of the workers)],
-    the server's output). Ends the server."""
+    """Returns (waiting times of the regular client in s, [(seconds since the start, MB of the server, MB of the
+    workers)], the server's output). Ends the server."""
     start = time.monotonic()
     end, waited, memory = start + seconds, [], []
     hostile = [asyncio.create_task(again_and_again(each, server.port, end))

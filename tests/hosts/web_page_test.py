@@ -20,7 +20,7 @@ from web_server import Server, chromium
 
 import fieldfab as ff
 
-SECONDS = 40  # that anything may take on a busy machine
+SECONDS = 40  # time limit of each step on a busy machine
 SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
 
 
@@ -43,7 +43,7 @@ def server(folder):
 
 
 class Page:
-    """What a person does with the page, and sees of it."""
+    """Actions of a user on the page, and its visible state."""
 
     def __init__(self, browser, server):
         self.browser, self.server = browser, server
@@ -61,7 +61,7 @@ class Page:
     def until(self, condition, what, seconds=SECONDS):
         end, now = time.monotonic() + seconds, None
         while time.monotonic() < end:
-            with contextlib.suppress(Exception):  # elements come and go
+            with contextlib.suppress(Exception):  # elements may be replaced meanwhile
                 if now := condition():
                     return now
             time.sleep(0.05)
@@ -74,14 +74,14 @@ class Page:
         return self.script("return document.querySelector(arguments[0])?.textContent ?? ''", selector)
 
     def settled(self, host="#picture"):
-        """Waits until the last picture that was asked for is shown in full."""
+        """Waits until the last requested picture is shown in full resolution."""
         is_settled = ("const d = document.querySelector(arguments[0]).dataset; "
                       "return d.asked > 0 && d.shown === d.asked && d.quality === 'smooth'")
         time.sleep(0.05)
         self.until(lambda: self.script(is_settled, host), f"the picture in {host}")
 
     def coloured(self, host="#picture"):
-        """The area that has the colour of flat models, mm2."""
+        """Returns the area in the colour of flat models, mm2."""
         count = """
             const host = document.querySelector(arguments[0]), canvas = host.querySelector('canvas');
             const flat = getComputedStyle(document.documentElement).getPropertyValue('--flat');
@@ -94,13 +94,13 @@ class Page:
         return self.script(count, host)
 
     def picture(self):
-        """The pixels of the picture, as text to compare."""
+        """Returns the pixels of the picture as text for comparison."""
         return self.script("return document.querySelector('#picture canvas').toDataURL()")
 
     def type(self, selector, *keys):
         editor = self.find(f"{selector} .cm-content")
         editor.click()
-        for each in keys:  # apart, since a modifier holds to the end of a call
+        for each in keys:  # separately, since a modifier lasts until the end of a call
             editor.send_keys(each)
 
     def saved(self, state="saved"):
@@ -135,7 +135,7 @@ def page(browser, server):
     yield made
     errors = [entry["message"] for entry in browser.get_log("browser")
               if entry["level"] == "SEVERE" and "favicon" not in entry["message"]]
-    # "inline style": Chromium's own, where typing replaces coloured text in an editable element; the policy drops it.
+    # "inline style": from Chromium, when typing replaces coloured text in an editable element; the policy blocks it.
     known = ("ERR_CONNECTION_REFUSED", "413", "422", "409", "WebSocket connection", "Failed to fetch",
              "Applying inline style")
     assert [each for each in errors if not any(word in each for word in known)] == []
@@ -152,8 +152,8 @@ CIRCLE = ("const [centre] = parents;\n"
 
 
 def test_text_and_picture(page, folder):
-    """Typing shows at once. A mistake is reported at its place, and the last picture stays. A slider writes into the
-    text."""
+    """Typing updates the picture at once. An error is marked at its position, and the last picture stays. A slider
+    changes the text."""
     (folder / "part.frep").write_text("r = 5  # 1 to 9, radius\ncircle(r)\n")
     page.open("part.frep")
     page.settled()
@@ -177,7 +177,7 @@ def test_text_and_picture(page, folder):
 
 
 def test_turning_and_zooming(page, folder):
-    """What is seen is asked for anew, to the pixel; zooming keeps the place below the pointer."""
+    """The visible window is requested anew, to the pixel; zooming keeps the point below the pointer."""
     (folder / "solid.frep").write_text("box(20, 12, 6) - move(cylinder(2, 20), 5)\n")
     page.open("solid.frep")
     page.settled()
@@ -226,7 +226,7 @@ def test_a_sheet_from_nothing(page, folder):
 
 
 def test_nodes(page, folder, server):
-    """Dragging, links, code, undo, a reload, a killed server, an endless loop: the picture follows, and nothing is
+    """Dragging, links, code, undo, a reload, a killed server, an endless loop: the picture is updated, and no change is
     lost."""
     (folder / "nodes.json").write_text(sheet(("Centre", 0, 0, "return { x, y };", []), ("Circle", 16, 12, CIRCLE, [1])))
     file = folder / "nodes.json"
@@ -252,7 +252,7 @@ def test_nodes(page, folder, server):
     page.type(".code", Keys.CONTROL + Keys.HOME, "while (true) {} ")
     page.until(lambda: "Circle was stopped: it ran longer than a second" in page.text("#sheet-message"),
                "the end of the endless loop")
-    for _ in range(12):  # what is typed in one go is one step
+    for _ in range(12):  # continuous typing is one undo step
         page.find("#undo").click()
         page.until(lambda: page.text(".code"), "the code")
         if "distance(centre" in page.text(".code") and "while" not in page.text(".code"):
@@ -328,7 +328,7 @@ def test_names_and_texts_never_become_html(page, folder):
 
 
 def test_a_scan_by_upload(page, folder, tmp_path):
-    """A scan becomes a model whose threshold is slid beside its histogram; the picture follows."""
+    """A scan becomes a model; a slider next to the histogram sets its threshold and updates the picture."""
     at = np.indices((32, 32, 32)) - 15.5
     ff.Volume(np.clip(100 + 40 * (8 - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32),
               origin=(-15.5, -15.5, -15.5)).save(tmp_path / "ball.nii.gz")
@@ -356,7 +356,7 @@ def set_value(page, selector, value):
 
 
 def program_of(page, server, path):
-    """Downloads what the link to the program leads to."""
+    """Downloads the linked program."""
     link = next(each for each in page.browser.find_elements(By.CSS_SELECTOR, "#job-result a") if each.text == "Program")
     status, _, data = server[0].ask("GET", link.get_attribute("href").split(str(server[0].port))[1])
     assert status == 200
@@ -401,8 +401,8 @@ def test_a_scan_becomes_a_simulated_program(page, folder, server, tmp_path):
 
 
 def test_panels_of_a_job(page, folder, server, tmp_path):
-    """Operations are added, ordered and removed. Settings that do not matter are hidden. Mistakes are reported. A
-    reload keeps everything."""
+    """Operations are added, ordered and removed. Irrelevant settings are hidden. Errors are reported. A reload keeps
+    all settings."""
     (folder / "plate.frep").write_text("rounded_rectangle(30, 20, 3) - circle(5)\n")
     page.open("plate.frep")
     page.settled()

@@ -1,4 +1,4 @@
-"""fabserver for tests: `fieldfab serve` as a process, and what is asked of it."""
+"""fabserver for tests: `fieldfab serve` as a process, and clients for it."""
 
 import asyncio
 import contextlib
@@ -21,7 +21,7 @@ from selenium.webdriver.chrome.service import Service
 
 
 class Server:
-    """A server on a port of its own, or on a given one, with its documents in `folder`."""
+    """A server on a free or given port, with its documents in `folder`."""
 
     def __init__(self, folder, *options, port=0, command=(COMMAND, "serve"), **environment):
         kept = {name: value for name, value in os.environ.items() if not name.lower().endswith("_proxy")}
@@ -37,7 +37,8 @@ class Server:
         return self.place.port
 
     def ask(self, method, path, body=None, **headers):
-        """Status, head and bytes of an answer. `body`: bytes, or what becomes JSON. Names of headers have _ for -."""
+        """Returns status, headers and bytes of an answer. `body`: bytes, or a value for JSON. Names of headers have _
+        for -."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
         body = json.dumps(body).encode() if body is not None and not isinstance(body, bytes) else body
         try:
@@ -52,7 +53,7 @@ class Server:
         return status, json.loads(data)
 
     def kill(self):
-        """As kill -9 does."""
+        """Kills the server by SIGKILL."""
         self.process.kill()
         self.process.wait()
         self.process.stdout.close()
@@ -65,12 +66,12 @@ class Server:
             self.kill()
 
     def workers(self):
-        """Process numbers of its workers."""
+        """Returns process ids of its workers."""
         return children(self.process.pid)
 
 
 def children(parent):
-    """Numbers of the processes that a process started."""
+    """Returns ids of the child processes of a process."""
     found = []
     for name in os.listdir("/proc"):
         with contextlib.suppress(OSError, ValueError):
@@ -87,7 +88,7 @@ def wait_until(condition, what, seconds=60):
 
 
 def pixels(data):
-    """The pixels of a PNG of the server: 8 bits, rows told by the one above."""
+    """Decodes a PNG of the server: 8 bits, rows with filter type Up."""
     at, parts = 8, {}
     while at < len(data):
         length, name = struct.unpack_from(">I4s", data, at)
@@ -122,7 +123,7 @@ class Socket:
         await self._socket.send_str(message if isinstance(message, str) else json.dumps(message))
 
     async def receive(self, seconds=60):
-        """(what is told, bytes of a picture); None where the socket was closed."""
+        """Returns (values of a message, bytes of a picture); None after the socket was closed."""
         message = await asyncio.wait_for(self._socket.receive(), seconds)
         if message.type == aiohttp.WSMsgType.TEXT:
             return json.loads(message.data), b""
@@ -132,7 +133,7 @@ class Socket:
         return None
 
     async def until(self, wanted, seconds=60):
-        """All answers up to the first that is wanted."""
+        """Returns all answers up to the first for which `wanted` is true."""
         answers, end = [], time.monotonic() + seconds
         while True:
             answers.append(await self.receive(end - time.monotonic()))
@@ -142,7 +143,7 @@ class Socket:
 
 @contextlib.contextmanager
 def chromium():
-    """A browser without a window; WebGL is drawn by the processor."""
+    """A headless browser with WebGL rendered in software."""
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
     for each in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",

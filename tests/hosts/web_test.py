@@ -1,4 +1,4 @@
-"""fabserver's protocol: `fieldfab serve`, asked by programs, those with bad manners among them."""
+"""fabserver's protocol: requests of programs, including hostile ones, to `fieldfab serve`."""
 
 import asyncio
 import contextlib
@@ -23,7 +23,7 @@ from web_server import Server, Socket, children, pixels, wait_until
 
 import fieldfab as ff
 
-# A text that grows with each line: no machine has the memory or the time for it.
+# A text whose cost doubles with each line, beyond any machine's memory and time.
 ENDLESS = "a0 = sphere(1)\n" + "".join(f"a{i + 1} = a{i} | move(a{i}, {1.1**i})\n" for i in range(40)) + "a40\n"
 SPHERE = {"text": "sphere(5)"}
 
@@ -51,7 +51,7 @@ def refused(answer, status, *words):
 
 
 def test_a_picture_is_the_kernels_own(server):
-    """Each pixel of a slice is the sign of the value at its place."""
+    """Each pixel of a slice is the sign of the value at its point."""
     text, window = "circle(4) - move(circle(2), 1, 1)", [-5, -4, 5, 4]
     status, headers, data = server.ask("POST", "/api/picture",
                                        {"text": text, "width": 200, "height": 160, "window": window})
@@ -139,7 +139,7 @@ def test_pictures_come_coarse_first(server):
 
 
 def test_a_newer_request_takes_the_place_of_older_ones(server):
-    """Of a hundred requests at once, the last one is answered in full, and most others never."""
+    """Of a hundred simultaneous requests, the last is answered in full, and most others are dropped."""
     async def talk():
         async with Socket(server) as socket:
             for number in range(100):
@@ -197,7 +197,7 @@ def test_a_text_of_ten_megabytes(server):
             await socket.send({"number": 1, "text": "#" * 10_000_000})
             told, _ = await socket.receive()
             assert told["kind"] == "too_large" and "1,000,000" in told["message"]
-            with contextlib.suppress(OSError):  # the server closes it, the rest unread
+            with contextlib.suppress(OSError):  # the server closes the connection without reading the rest
                 await socket.send({"number": 1, "text": "#" * 20_000_000})
                 assert await socket.receive() is None
 
@@ -217,11 +217,11 @@ def test_sockets_of_other_pages_are_refused(server):
     run(talk(Origin=f"http://127.0.0.1:{server.port}"))
 
 
-# What goes wrong in workers
+# Failures in workers
 
 
 def test_an_endless_text_ends_and_others_go_on(server):
-    """It is left as soon as something newer is wanted, though no part of it asks whether it shall go on."""
+    """A newer request ends it, although its evaluation never checks for cancellation."""
     async def talk():
         async with Socket(server) as socket, Socket(server) as other:
             await socket.send({"number": 1, "text": ENDLESS})
@@ -315,7 +315,7 @@ def test_jobs_are_cancelled_and_refused(server):
 
 
 def test_jobs_run_on_a_cluster(tmp_path):
-    """As on this machine: files, mistakes, progress, an end on request; a cluster that is away is told."""
+    """As on this machine: files, errors, progress, cancellation. An unreachable cluster is reported."""
     path = {"PYTHONPATH": str(BUILD / "python")}
     with distributed.LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None, env=path) as cluster:
         [nanny] = cluster.workers.values()
@@ -448,7 +448,7 @@ def test_a_program_is_planned_and_simulated(server, tmp_path):
 
 
 def drawn_volume(stills, data):
-    """The volume within the newest pieces of a surface."""
+    """Returns the volume inside the newest pieces of a surface."""
     newest = {piece["piece"]: piece for still in stills for piece in still["pieces"]}
     total = 0
     for piece in newest.values():
@@ -486,7 +486,7 @@ def test_what_a_job_lacks_is_told(server):
 
 
 def ball_scan(path, radius=8, size=32):
-    """Densities 0 to 200, 100 at the surface of a ball; a sample a mm."""
+    """Writes a scan of a ball with densities 0 to 200, 100 at its surface; spacing 1 mm."""
     at = np.indices((size, size, size)) - (size - 1) / 2
     ff.Volume(np.clip(100 + 40 * (radius - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32)).save(path)
     return path.read_bytes()
@@ -531,7 +531,7 @@ def test_scans_are_whole_or_refused(server, folder, tmp_path):
     assert server.ask("PUT", "/api/scans/garbage.nii", os.urandom(4000))[0] == 201
     refused(server.post("/api/scan", {"name": "garbage.nii"}), 422)
     os.remove(f"{folder}/garbage.nii"), os.remove(f"{folder}/link.nii")
-    with sockets.create_connection(("127.0.0.1", server.port)) as half:  # it ends in the middle
+    with sockets.create_connection(("127.0.0.1", server.port)) as half:  # it breaks off
         half.sendall(f"PUT /api/scans/half.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n"
                      "Content-Length: 100000\r\n\r\n".encode() + bytes(50_000))
         wait_until(lambda: any(each.startswith(".upload") for each in os.listdir(folder)), "the upload's beginning")
@@ -620,9 +620,8 @@ def test_garbage_and_idle_connections_do_no_harm(server):
 
 
 def test_a_short_siege(tmp_path):
-    """Clients that vanish, send garbage, flood and hold connections for 15 s; web_hostile.py does it for 10 minutes. A
-    polite client gets its pictures all the while; the server's memory does not grow, and it leaves no file and prints
-    nothing."""
+    """Clients disconnect, send garbage, flood and hold connections for 15 s (web_hostile.py: 10 minutes). A regular
+    client gets its pictures meanwhile. The server's memory does not grow; it leaves no files and prints no messages."""
     running = Server(tmp_path)
     try:
         waited, memory, said = asyncio.run(web_hostile.siege(running, 15, crowd=2))

@@ -1,5 +1,5 @@
-"""The workbench's translations: complete, up to date with the sources, and the same in the files that people edit and
-that FreeCAD reads."""
+"""The workbench's translations: complete, up to date with the sources, and equal in the edited and the compiled
+files."""
 
 import importlib.util
 import string
@@ -21,7 +21,8 @@ def update():
 
 
 def placeholders(text):
-    """What has to be the same in a translation: names in braces with their formats, file patterns, accelerators."""
+    """Returns the parts that a translation must keep: names in braces with their formats, file patterns,
+    accelerators."""
     names = sorted(f"{name}!{conversion}:{form}" for _, name, form, conversion in string.Formatter().parse(text)
                    if name is not None)
     patterns = sorted(word.strip("();") for word in text.replace(";", " ").split() if "*." in word or "(*" in word)
@@ -57,7 +58,7 @@ def test_freecad_reads_what_the_translator_wrote(update, path):
 
 
 def test_no_text_is_formatted_before_it_is_translated(update):
-    """tr(f"...") would never be found."""
+    """tr(f"...") would look up the formatted text, which has no translation."""
     wrong = []
     for path in sorted(update.PACKAGE.rglob("*.py")):
         for node in update.ast.walk(update.ast.parse(path.read_text(encoding="utf-8"))):

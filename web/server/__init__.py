@@ -1,2 +1,2 @@
-"""fabserver's server: `python3 -m fieldfab.serve` (docs/web.md). It imports the module fieldfab and nothing else of
-this project."""
+"""fabserver's server: `python3 -m fieldfab.serve` (docs/web.md). Of this project it imports only the module
+fieldfab."""

@@ -41,7 +41,7 @@ def is_this_machine(host):
 
 
 def listening(host, port):
-    """A socket that listens. The usual port where none is asked for, or a free one where that is taken."""
+    """Returns a listening socket. Without a given port: the default port, or a free one if that is in use."""
     family, kind, protocol, _, address = (
         socket.getaddrinfo(host, port if port is not None else USUAL_PORT, type=socket.SOCK_STREAM)[0])
     try:
@@ -53,13 +53,13 @@ def listening(host, port):
 
 
 def is_our_fault(record):
-    """Whether a line of the log is about us: those about clients that send garbage or vanish would have no end."""
+    """Whether a log record is about the server. Records about malformed or broken connections would flood the log."""
     return not (record.exc_info and isinstance(record.exc_info[1],
                                                (HttpProcessingError, ConnectionError, UnicodeError)))
 
 
 def handle_exception(loop, context):
-    """As asyncio's own, but for pipes to workers that were ended."""
+    """Calls asyncio's default handler, except for broken pipes to workers that were killed."""
     if not isinstance(context.get("exception"), ConnectionError):
         loop.default_exception_handler(context)
 

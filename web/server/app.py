@@ -1,4 +1,4 @@
-"""The server's addresses (docs/web.md has them as a table)."""
+"""The server's addresses (table in docs/web.md)."""
 
 import asyncio
 import json
@@ -28,7 +28,7 @@ NO_PAGE = "The page is not built: npm was out of reach when Fieldfab was built. 
 
 class Server:
     def __init__(self, folder, allow_scripts=False, workers=None, scheduler=None):
-        """`scheduler`: address of a Dask scheduler, where jobs run; without it they run on this machine."""
+        """`scheduler`: address of a Dask scheduler for jobs; None runs them on this machine."""
         self.documents = Documents(folder, allow_scripts)
         self.scans, self.allow_scripts = Scans(folder), allow_scripts
         self.pool = Pool(workers or max(2, os.cpu_count() or 2))
@@ -158,7 +158,7 @@ class Server:
         return checked(do, await self._given(request), self.documents.folder, self.allow_scripts)
 
     async def _asked(self, request, wanted):
-        """The pool's answer, as long as the one who asked is there."""
+        """Returns the pool's answer; stops the request if its client disconnects."""
         task = asyncio.create_task(self.pool.ask(wanted))
         try:
             while not task.done():
@@ -198,7 +198,7 @@ class Server:
         return web.json_response(self.jobs.start(wanted, name).told(), status=202)
 
     async def job(self, request):
-        """Answers when something is new since `state` and `progress` of the query, after 10 s at the latest."""
+        """Long polling: answers when the job differs from `state` and `progress` of the query, or after 10 s."""
         job = self.jobs.job(request.match_info["job"])
         if "state" in request.query:
             try:
@@ -220,6 +220,6 @@ class Server:
         if name not in os.listdir(job.folder):
             raise Refused(404, "missing", f"the job made no file '{name[:60]}'")
         headers = {"Content-Disposition": f'attachment; filename="{name}"', "X-Content-Type-Options": "nosniff"}
-        if name.endswith(".html"):  # our own reports: no scripts, nothing from elsewhere, an origin of their own
+        if name.endswith(".html"):  # our reports: no scripts, no external resources, an opaque origin
             headers = {"Content-Security-Policy": REPORT_POLICY, "X-Content-Type-Options": "nosniff"}
         return web.FileResponse(os.path.join(job.folder, name), headers=headers)

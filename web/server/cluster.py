@@ -1,5 +1,4 @@
-"""Jobs on a Dask cluster that runs elsewhere (`--scheduler ADDRESS`): each in a worker process of its own there, with
-the same limits as here."""
+"""Jobs on a Dask cluster (`--scheduler ADDRESS`): each in its own process there, with the limits of local jobs."""
 
 import asyncio
 import os
@@ -13,14 +12,14 @@ CONNECTING = 5.0  # seconds
 
 
 class Cluster:
-    """A scheduler, connected to when it is first needed."""
+    """A connection to a scheduler, opened on first use."""
 
     def __init__(self, address):
         self.address, self._client, self._connecting = address, None, asyncio.Lock()
         self._topic, self.listeners = f"fieldfab-{secrets.token_hex(8)}", {}
 
     async def client(self):
-        import distributed  # it takes half a second, and most servers have no cluster
+        import distributed  # takes 0.5 s, and most servers have no cluster
 
         async with self._connecting:
             if self._client is None or self._client.status != "running":
@@ -47,14 +46,14 @@ class Cluster:
 
 
 class ClusterWorker:
-    """One job's worker; `processes.Worker` is its twin on this machine."""
+    """The worker of one job, with the interface of `processes.Worker`."""
 
     def __init__(self, cluster, topic):
         self._cluster, self._topic, self._name, self._stopping = (
             cluster, topic, f"fieldfab-{secrets.token_hex(8)}", None)
 
     async def ask(self, request, seconds):
-        """Yields (head, b"") of progress and of the result, whose files are in `request["into"]` then. Raises
+        """Yields (head, b"") for progress and the result. The result's files are then in `request["into"]`. Raises
         Refused."""
         client = await self._cluster.client()
         news = self._cluster.listeners[self._name] = asyncio.Queue()
@@ -72,7 +71,7 @@ class ClusterWorker:
                 step.cancel()
             try:
                 heads, files = done.result()
-            except Exception as error:  # of the cluster: a worker that died, a module that is missing there
+            except Exception as error:  # of the cluster, such as a dead worker or a missing module
                 raise Refused(503, "cluster",
                               f"the cluster failed: {type(error).__name__}: {str(error)[:300]}") from None
             for name, data in files.items():
@@ -96,4 +95,4 @@ class ClusterWorker:
         await future.cancel()
 
     def kill(self):
-        """The end of the request is asked for where it is left."""
+        """Does nothing: ask() stops the request when it is closed."""

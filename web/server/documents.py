@@ -26,7 +26,7 @@ class Documents:
         return NAME.fullmatch(name) or (self._allow_scripts and SCRIPT_NAME.fullmatch(name))
 
     def _path(self, name):
-        """Raises Refused for what is no name of a document, and for a link that leads out of the folder."""
+        """Returns a document's path. Raises Refused for an invalid name and for a link out of the folder."""
         if not self._is_name(name):
             raise Refused(400, "name", f"'{name[:120]}' is no name of a document: "
                           "letters, digits, spaces and . + - _, and .frep or .json at the end")
@@ -43,7 +43,7 @@ class Documents:
                 for entry in found]
 
     def read(self, name):
-        """Its bytes, and their version."""
+        """Returns a document's bytes and their version."""
         path = self._path(name)
         try:
             if not os.path.isfile(path):
@@ -59,7 +59,7 @@ class Documents:
         return data, version_of(data)
 
     def version(self, name):
-        """None where there is no such document."""
+        """Returns the version of a document; None if it does not exist."""
         try:
             return self.read(name)[1]
         except Refused as error:
@@ -68,7 +68,7 @@ class Documents:
             raise
 
     def write(self, name, data, expected):
-        """Writes the document if its version is the expected one ("*": any version; None: there must be none yet).
+        """Writes the document if its version is the expected one ("*": any version; None: the document must not exist).
         Returns the new version."""
         path = self._path(name)
         if len(data) > LIMITS.document:

@@ -1,4 +1,4 @@
-"""Models as files of every format that is written."""
+"""Export of models in every format for writing."""
 
 import os
 
@@ -11,7 +11,7 @@ FORMULAS = {".frep": lambda model: ff.frep_text(model.parts), ".vm": lambda mode
 
 
 def written_formats():
-    """{extension: kind} of what a model can be written as."""
+    """Returns {extension: kind} of the formats for a model."""
     kinds = {extension: each["kind"] for each in ff.formats() if each["writes"] for extension in each["extensions"]}
     return {extension: kind for extension, kind in kinds.items()
             if extension in FORMULAS or kind in ("mesh", "distances") or extension == ".vdb"}
@@ -22,7 +22,7 @@ def keeps_parts(extension):
 
 
 def plate(model, thickness):
-    """A flat model as a plate; others as they are."""
+    """Returns a flat model extruded to a plate; other models unchanged."""
     if not model.flat:
         return model.parts, None
     slab = ff.Solid(abs(ff.Z) - thickness / 2)
@@ -30,8 +30,8 @@ def plate(model, thickness):
 
 
 def write(model, request, progress):
-    """Writes the file `model` with the extension into the folder `request["into"]`. Returns the values to answer
-    with."""
+    """Writes the file `model` with the extension into the folder `request["into"]`. Returns the values of the
+    answer."""
     extension, told = request["extension"], {}
     path = os.path.join(request["into"], "model" + extension)
     if extension in FORMULAS:

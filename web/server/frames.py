@@ -1,10 +1,10 @@
-"""Messages of a JSON head and a body of bytes, between the server and its workers. The WebSocket uses them, too,
-without the second half of the lengths."""
+"""Messages of a JSON head and a body of bytes, between the server and its workers. Messages of the WebSocket have the
+same form without the length of the body."""
 
 import json
 import struct
 
-LENGTHS = struct.Struct(">II")  # of the head and of the body
+LENGTHS = struct.Struct(">II")  # lengths of head and body
 
 
 def head_of(values):
@@ -17,13 +17,13 @@ def frame(values, body=b""):
 
 
 def socket_message(values, body):
-    """Four bytes with the length of the head, the head, the body."""
+    """Returns four bytes with the length of the head, the head and the body."""
     head = head_of(values)
     return struct.pack(">I", len(head)) + head + body
 
 
 def read_frame(stream):
-    """The next frame of a stream; None at its end."""
+    """Returns the next frame of a stream; None at its end."""
     lengths = stream.read(LENGTHS.size)
     if len(lengths) < LENGTHS.size:
         return None
@@ -32,6 +32,6 @@ def read_frame(stream):
 
 
 async def read_frame_later(stream):
-    """The same of an asyncio stream. Raises asyncio.IncompleteReadError at its end."""
+    """As read_frame(), for an asyncio stream. Raises asyncio.IncompleteReadError at its end."""
     head, body = LENGTHS.unpack(await stream.readexactly(LENGTHS.size))
     return json.loads(await stream.readexactly(head)), await stream.readexactly(body)

@@ -1,4 +1,4 @@
-"""Jobs: what takes long and makes files, each in a process of its own, here or on a cluster."""
+"""Jobs: long requests that write files. Each runs in its own process, on this machine or on a cluster."""
 
 import asyncio
 import os
@@ -12,7 +12,7 @@ from .processes import Refused, Worker
 
 class Job:
     def __init__(self, folder, request, name):
-        """`name`: of its first file, in the job's own folder."""
+        """`name`: of its first file, in the job's folder."""
         self.number, self.name = secrets.token_urlsafe(9), name
         self.folder = request["into"] = os.path.join(folder, self.number)
         os.mkdir(self.folder)
@@ -26,7 +26,7 @@ class Job:
 
 class Jobs:
     def __init__(self, worker=Worker):
-        """`worker`: makes the worker of a job."""
+        """`worker`: factory of the worker of a job."""
         self._worker = worker
         self._folder = tempfile.mkdtemp(prefix="fieldfab-jobs-")
         self._jobs, self._turn = {}, asyncio.Semaphore(LIMITS.jobs)
@@ -70,7 +70,7 @@ class Jobs:
             await self._tell(job, state="cancelled")
 
     async def wait(self, job, seen, seconds):
-        """Returns when something of the job is new, or after some seconds."""
+        """Returns when the job differs from `seen`, or after `seconds`."""
         try:
             async with asyncio.timeout(seconds):
                 async with job.changed:

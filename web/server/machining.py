@@ -1,4 +1,4 @@
-"""Jobs of the Machine view, in a worker: planned and simulated by fieldfab.cam, with what a page draws of them."""
+"""Jobs of the Machine view, in a worker: planning and simulation by fieldfab.cam, with drawings for the page."""
 
 import json
 import math
@@ -10,14 +10,14 @@ import fieldfab as ff
 
 from .models import Mistakes
 
-STILLS = 20  # of the stock while it is cut
-POSES = 400  # of the tool
-COARSE = 4  # cells a side that are one in what is drawn of the stock
+STILLS = 20  # number of surfaces of the stock over time
+POSES = 400  # number of positions of the tool over time
+COARSE = 4  # cells per side that are merged in the drawn stock
 ROLES = ("cutting", "shank", "holder")
 
 
 def tables():
-    """Tables that panels are made from: machines, operations with the settings of their stages, and the settings that
+    """Returns the tables for the panels: machines, operations with the settings of their stages, and the settings that
     join their paths."""
     stages = {each["name"]: each for each in ff.cam.stages()}
     operations = [{"name": name, "help": each["help"],
@@ -33,8 +33,8 @@ def toml_value(value):
 
 
 def toml_of(job, model=None):
-    """A job as `fieldfab cam` reads it, of a model's file or of a given part. Its names and values were checked: none
-    is a path."""
+    """Returns a job file for `fieldfab cam`, for a model's file or a given part. Names and values were checked: none is
+    a path."""
     def table(head, values):
         return [head, *(f"{name} = {toml_value(value)}" for name, value in values.items()), ""]
 
@@ -52,7 +52,7 @@ def toml_of(job, model=None):
 
 
 class Drawing:
-    """Arrays for a page, one after the other in a file; what is told of each is where it starts and its sizes."""
+    """Consecutive arrays in a binary file for the page. Each is described by its offset and sizes."""
 
     def __init__(self, path):
         self._file, self._at = open(path, "wb"), 0
@@ -71,7 +71,8 @@ class Drawing:
         return {"at": self._add(rows.astype("<f4")), "count": len(rows)}
 
     def surface(self, vertices, normals, corners, colours=None):
-        """Normals and colours have four bytes each, the last one unused; corners two where that is enough."""
+        """Adds a mesh. Normals and colours have four bytes each (the last is padding), indices two bytes if they
+        fit."""
         four = np.zeros((len(vertices), 4), np.int8)
         four[:, :3] = np.rint(127 * normals)
         told = {"vertices": len(vertices), "triangles": len(corners), "at": self._add(vertices.astype("<f4")),
@@ -83,7 +84,7 @@ class Drawing:
 
 
 def bent(start, end, bulge):
-    """Places along an arc after its start. `bulge`: the tangent of a quarter of its angle, anticlockwise."""
+    """Returns points along an arc, without its start. `bulge`: tangent of a quarter of its angle, anticlockwise."""
     angle, chord = 4 * math.atan(bulge), end[:2] - start[:2]
     count = max(1, math.ceil(abs(angle) / 0.2))
     centre = (start[:2] + end[:2]) / 2 + np.array([-chord[1], chord[0]]) * (1 - bulge * bulge) / (4 * bulge)
@@ -96,7 +97,8 @@ def bent(start, end, bulge):
 
 
 def ways_of(job):
-    """For each operation the ends of its straight pieces, model coordinates: (rapids, cuts), two rows a piece."""
+    """Returns for each operation (rapids, cuts): ends of straight segments in model coordinates, two rows per
+    segment."""
     found = []
     for moves in job.moves:
         places = moves[:, :3] + np.array(job.zero)
@@ -111,8 +113,8 @@ def ways_of(job):
 
 
 def plan(solid, job, into, progress):
-    """Writes the program, sheet.html, job.toml for `fieldfab cam`, and the tools' ways as ways.json and .bin. Returns
-    the values to answer with."""
+    """Writes the program, sheet.html, job.toml for `fieldfab cam`, and the tools' paths as ways.json and .bin. Returns
+    the values of the answer."""
     text = toml_of(job)
     for name, content in (("setup.toml", text), ("job.toml", toml_of(job, "part.frep"))):
         with open(os.path.join(into, name), "w", encoding="utf-8") as file:
@@ -135,7 +137,7 @@ def plan(solid, job, into, progress):
 
 
 def tool_parts(playback, drawing):
-    """What is drawn of each tool, by its number."""
+    """Returns the drawing of each tool by its number."""
     found, tools = {}, playback.tools
     for number in np.unique(tools):
         move = int(np.argmax(tools == number))
@@ -145,8 +147,8 @@ def tool_parts(playback, drawing):
 
 
 def simulate(solid, program, into, progress):
-    """Carries the program out. Writes report.html, and the stock while it is cut and the tool as stock.json and .bin.
-    Returns the values to answer with."""
+    """Simulates the program. Writes report.html, and stock and tool over time as stock.json and .bin. Returns the
+    values of the answer."""
     done = ff.stock.Simulation(os.path.join(into, "setup.toml"), os.path.join(into, program), part=solid, remember=True,
                                progress=lambda share, words: progress(0.6 * share, words))
     done.html(os.path.join(into, "report.html"))
@@ -177,7 +179,7 @@ def simulate(solid, program, into, progress):
 
 
 def machine(model, request, progress):
-    """Plans a job, and simulates it where that is wanted."""
+    """Plans a job, and simulates it on request."""
     job, into, both = request["job"], request["into"], request["simulate"]
     solid = model.solid
     told = plan(solid, job, into, (lambda share, words: progress(0.5 * share, words)) if both else progress)

@@ -1,4 +1,5 @@
-"""Texts as models, in a worker: the last few are kept, since a view that turns asks for one again and again."""
+"""Models of texts, in a worker. The most recent ones are cached, since a rotating view requests the same model
+repeatedly."""
 
 import collections
 import os
@@ -10,13 +11,14 @@ import fieldfab as ff
 KEPT = 6
 FORMULAS = {"math": ff.parse_math, "vm": ff.parse_vm}
 SCRIPTS = ("py", "ko", "scad")
-# Formats that name no other file, which could lie anywhere.
+# Formats without references to other files, which could be anywhere.
 OPENED = (".frep", ".math", ".vm", ".asdf", ".stl", ".ply", ".off", ".obj", ".3mf", ".nii", ".nii.gz", ".vdb", ".tif",
           ".tiff")
 
 
 class Mistakes(Exception):
-    """A text that is no model. `places`: a dict each with message, line, column, offset and length (UTF-16 units)."""
+    """Raised for an invalid text. `places`: a dict per error with message, line, column, offset and length (UTF-16
+    units)."""
 
     def __init__(self, message, places=()):
         super().__init__(message)
@@ -24,7 +26,7 @@ class Mistakes(Exception):
 
 
 class Model:
-    """A solid, its parts, and, once asked for, where it is."""
+    """A solid, its parts and, computed on first use, its bounds."""
 
     def __init__(self, parts):
         self.parts = parts
@@ -52,7 +54,7 @@ class Model:
 
     @property
     def bounds(self):
-        """A little more than the solid; z is 0 where it is flat."""
+        """Returns bounds with a margin; z is 0 for a flat solid."""
         self._place()
         return self._bounds
 
@@ -63,7 +65,7 @@ class Model:
 
 
 def utf16(data, offset):
-    """The place of a byte of UTF-8 in JavaScript's count."""
+    """Converts a byte offset in UTF-8 to UTF-16 units, as JavaScript counts."""
     return len(data[:offset].decode("utf-8", "replace").encode("utf-16-le")) // 2
 
 
@@ -82,8 +84,8 @@ def parameters_of(text):
 
 
 def refuse_files_elsewhere(text, root, folder=None, seen=()):
-    """Raises Mistakes where a text of `folder` opens a file that is not below `root`, or a file whose format can name
-    further files."""
+    """Raises Mistakes if a text of `folder` opens a file outside `root`, or a file of a format that can refer to other
+    files."""
     folder = folder or root
     tokens, data = ff.language.tokens(text), text.encode()
     words = [data[each.offset : each.offset + each.length] for each in tokens]
@@ -153,7 +155,7 @@ BINS = 256
 
 
 def scan_told(path):
-    """What there is to know of a scan before its threshold is chosen."""
+    """Returns facts about a scan for the choice of its threshold."""
     volume = ff.Volume.open(path)
     counts, edges = volume.histogram()
     step = -(-len(counts) // BINS)
@@ -167,7 +169,7 @@ OPENING = re.compile(r'\bopen\s*\(\s*"([^"]*)"')
 
 
 def opened_files(request):
-    """Names, sizes and times of the files that a text opens; None where they may open more."""
+    """Returns names, sizes and times of the files that a text opens; None if these may open others."""
     found = []
     for name in OPENING.findall(request["text"]):
         path = os.path.join(request["folder"], name)
@@ -179,13 +181,13 @@ def opened_files(request):
 
 
 class Models:
-    """The models of the last few texts."""
+    """Cache of the models of recent texts."""
 
     def __init__(self):
         self._kept = collections.OrderedDict()
 
     def of(self, request):
-        made = lambda: make(request["text"], request["language"], request["values"],  # noqa: E731: shorter
+        made = lambda: make(request["text"], request["language"], request["values"],  # noqa: E731
                             request["folder"])
         opened = opened_files(request)
         if opened is None:

@@ -1,4 +1,4 @@
-"""The description of the requests for programs (OpenAPI 3), made from the tables that check them."""
+"""OpenAPI 3 description of the requests, generated from the tables that check them."""
 
 from . import protocol
 from .limits import LIMITS

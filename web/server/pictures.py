@@ -1,4 +1,4 @@
-"""Pictures of models, coarse first, without the background of the kernel's own pictures: pages are light or dark."""
+"""Pictures of models, coarse first. Their background is transparent, unlike the kernel's: pages are light or dark."""
 
 import functools
 import math
@@ -9,11 +9,11 @@ import fieldfab as ff
 
 from .png import png
 
-COARSE = 4  # pixels a side that are one pixel of the first picture
+COARSE = 4  # width of a pixel of the coarse picture, in pixels
 
 
 def turned(point, alpha, beta):
-    """A place of the model in the picture's plane: x to the right, y up, z towards the eye."""
+    """Rotates a point of the model into the view: x to the right, y up, z towards the eye."""
     x, y, z = point
     x, y = math.cos(alpha) * x - math.sin(alpha) * y, math.sin(alpha) * x + math.cos(alpha) * y
     return x, math.cos(beta) * y - math.sin(beta) * z, math.sin(beta) * y + math.cos(beta) * z
@@ -26,7 +26,7 @@ def turned_back(point, alpha, beta):
 
 
 def fitting_window(model, request):
-    """All of the model, with a margin."""
+    """Returns the window that fits the model with a margin."""
     low, high = model.bounds[:3], model.bounds[3:]
     middle = [(a + b) / 2 for a, b in zip(low, high)]
     if model.flat or request["mode"] == "bitmap":
@@ -44,7 +44,7 @@ def fitting_window(model, request):
 
 @functools.lru_cache(8)
 def sky(height):
-    """The colours of the kernel's background, row by row: those of a picture of nothing."""
+    """Returns the colours of the kernel's background by row, taken from a picture of an empty model."""
     return ff.render(ff.Solid(1.0), "shaded", height, bounds=(0, 0, 0, 1, 1, 1),
                      window=(0, 0, 8 / height, 1)).pixels[:, :1, :].copy()
 
@@ -55,7 +55,7 @@ def with_alpha(pixels, background):
 
 
 def halved(pixels):
-    """Each two by two pixels as one; colours count by how much of them is seen."""
+    """Averages blocks of 2 x 2 pixels; colours are weighted by their opacity."""
     pixels = pixels[: pixels.shape[0] // 2 * 2, : pixels.shape[1] // 2 * 2].astype(np.float32)
     four = (pixels[::2, ::2], pixels[1::2, ::2], pixels[::2, 1::2], pixels[1::2, 1::2])
     if pixels.ndim == 2:
@@ -66,7 +66,7 @@ def halved(pixels):
 
 
 def cut(model, section):
-    """The model's solid and parts without what lies beyond the section plane."""
+    """Returns the model's solid and parts, cut at the section plane."""
     if section is None:
         return model.solid, model.coloured
     axis = {"x": ff.X, "y": ff.Y, "z": ff.Z}[section["axis"]]
@@ -94,8 +94,7 @@ def grown(bounds):
 
 
 def pictures(model, request, progress):
-    """Yields (head of a picture, its PNG): a coarse one if asked for, a fine one, and one with smooth edges if asked
-    for."""
+    """Yields (head of a picture, its PNG): a coarse one on request, a fine one, and an antialiased one on request."""
     size, window, near = max(request["width"], request["height"]), request["window"], request["near"]
     if window is None or near is None or near[2] == near[5]:
         near = None
@@ -103,7 +102,7 @@ def pictures(model, request, progress):
     steps = [step for step, wanted in (("coarse", request["coarse"]), ("fine", request.get("fine", True)),
                                        ("smooth", request["smooth"])) if wanted]
     for step in steps:
-        # Bounds take longer to find than a coarse picture: the last ones, grown, do for it.
+        # A search for bounds takes longer than a coarse picture, which uses the last bounds, enlarged.
         guessed = step == "coarse" and near is not None and not model.placed
         bounds = request["bounds"] or (grown(near) if guessed else model.bounds)
         pixels_wide = {"coarse": max(8, size // COARSE), "fine": size, "smooth": 2 * size}[step]
@@ -124,7 +123,7 @@ def pictures(model, request, progress):
 
 
 def pick(model, request, progress):
-    """What a place of the picture's plane shows: a place of the model, the value there, the part."""
+    """Returns the point of the model seen at a point of the picture's plane, its value and its part."""
     u, v = request["at"]
     if model.flat or request["mode"] == "bitmap":
         place = (u, v, request["z"])

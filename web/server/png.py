@@ -1,4 +1,4 @@
-"""PNG, quickly: pictures go to a screen at once, so that speed counts more than size."""
+"""A fast PNG encoder: pictures are for immediate display, so that speed matters more than size."""
 
 import struct
 import zlib
@@ -14,12 +14,12 @@ def chunk(name, data):
 
 
 def png(pixels):
-    """The bytes of a picture of (height, width) or (height, width, channels), uint8 or uint16."""
+    """Encodes a picture of shape (height, width) or (height, width, channels), uint8 or uint16."""
     height, width = pixels.shape[:2]
     channels = pixels.shape[2] if pixels.ndim == 3 else 1
     rows = np.ascontiguousarray(pixels.astype(pixels.dtype.newbyteorder(">"))).view(np.uint8).reshape(height, -1)
     lines = np.empty((height, rows.shape[1] + 1), np.uint8)
-    lines[:, 0] = 2  # each row is told by its difference to the one above
+    lines[:, 0] = 2  # filter type Up: difference to the row above
     lines[0, 1:] = rows[0]
     np.subtract(rows[1:], rows[:-1], out=lines[1:, 1:])
     head = struct.pack(">IIBBBBB", width, height, 8 * pixels.dtype.itemsize, KINDS[channels], 0, 0, 0)

@@ -1,4 +1,4 @@
-"""Worker processes as the server sees them: each has one request at a time and limits, and is ended when it does not
+"""The server's side of worker processes. Each has one request at a time and limits, and is killed if it does not
 answer."""
 
 import asyncio
@@ -12,12 +12,12 @@ from .frames import frame, read_frame_later
 from .limits import LIMITS
 
 KEPT_TEXTS = 100
-# Seconds that a worker may go on when it is asked to stop: on a busy machine killing one costs more.
+# Seconds from a request to stop until a worker is killed. On a busy machine a new process costs more.
 GRACE = 4.0
 
 
 class Refused(Exception):
-    """A request that has no answer but this. `status`: HTTP's; `told`: kind, message, and mistakes of a text."""
+    """Raised for a refused request. `status`: of HTTP; `told`: kind, message, and errors of a text."""
 
     def __init__(self, status, kind, message, mistakes=()):
         super().__init__(message)
@@ -28,17 +28,17 @@ STATUS = {"bad_input": 422, "io": 422, "memory": 422, "internal": 500}
 
 
 def raise_error(error):
-    """Raises what a worker told as an error."""
+    """Raises the error that a worker reported."""
     raise Refused(STATUS.get(error["kind"], 422), error["kind"], error["message"], error.get("mistakes", ()))
 
 
 class Worker:
-    """One process. It is started when it is first asked, and again after it was killed."""
+    """One process. It is started by the first request, and again after it was killed."""
 
     def __init__(self, memory=LIMITS.memory):
-        self.memory, self.text, self.since = memory, None, 0.0  # when its request began, in the loop's time
+        self.memory, self.text, self.since = memory, None, 0.0  # start of its request, in the loop's time
         self._process, self._timeout, self._stopping, self._hurried = None, None, False, False
-        self.failed = False  # whether a request took more time or memory than it may
+        self.failed = False  # whether a request exceeded its time or memory
 
     async def start(self):
         if self._process is None:
@@ -47,8 +47,7 @@ class Worker:
                                                                  stdout=asyncio.subprocess.PIPE)
 
     async def ask(self, request, seconds):
-        """Yields (head, body) of each answer except the last, which only marks the end. Raises Refused; returns early
-        where it was stopped."""
+        """Yields (head, body) of each answer except the end mark. Raises Refused; returns early after stop()."""
         await self.start()
         self.text, self._stopping, self._hurried, done = request.get("text"), False, False, False
         self.since = asyncio.get_running_loop().time()
@@ -87,7 +86,7 @@ class Worker:
             raise_error(error)
 
     def stop(self):
-        """Asks it to leave its request; what does not listen is killed."""
+        """Asks the process to abandon its request; kills it if it does not react."""
         if self._timeout is None or self._stopping:
             return
         self._stopping = True
@@ -96,7 +95,7 @@ class Worker:
         self._timeout.reschedule(asyncio.get_running_loop().time() + GRACE)
 
     def hurry(self):
-        """Ends a request that others have waited for."""
+        """Ends a long request for the sake of others in the queue."""
         if self._timeout is not None and not self._stopping:
             self._hurried = True
             self._timeout.reschedule(asyncio.get_running_loop().time())
@@ -109,13 +108,13 @@ class Worker:
 
 
 class Pool:
-    """Workers for short requests. Requests wait in order of their rank (0 first), then of their arrival. A text goes to
-    the worker that had it last, if that one is idle. Where one has waited for
-    `LIMITS.crowded_seconds`, those that take longer end."""
+    """Workers for short requests. The queue is ordered by rank (0 first), then by arrival. A text goes to the worker
+    that had it last, if that one is idle. After a request has waited for `LIMITS.crowded_seconds`, longer ones are
+    ended."""
 
     def __init__(self, count):
         self._idle, self._busy = [Worker() for _ in range(count)], set()
-        self._heavy = collections.OrderedDict()  # texts that took too much lately: they go last
+        self._heavy = collections.OrderedDict()  # texts that recently exceeded a limit: last in the queue
         self._waiting, self._arrivals = [], itertools.count()
 
     async def start(self):
@@ -129,7 +128,7 @@ class Pool:
             try:
                 worker = await self._patiently(turn)
             except asyncio.CancelledError:
-                if turn.done():  # it came in the same moment
+                if turn.done():  # a worker was assigned at the same time
                     self._release(turn.result())
                 turn.cancel()
                 raise
@@ -148,7 +147,7 @@ class Pool:
             self._release(worker)
 
     async def _patiently(self, turn):
-        """The worker whose turn it is, after those that take too long were hurried."""
+        """Returns the assigned worker; ends requests that take too long if necessary."""
         loop = asyncio.get_running_loop()
         await asyncio.wait([turn], timeout=LIMITS.crowded_seconds)
         while not turn.done():
@@ -166,7 +165,7 @@ class Pool:
         self._idle.append(worker)
 
     async def ask(self, request):
-        """The one answer to a request that comes by itself, after those of pages that are open."""
+        """Returns the only answer to a single request, ranked after those of open pages."""
         async with self.worker(request.get("text"), rank=1) as worker:
             answers = [answer async for answer in worker.ask(request, LIMITS.picture_seconds)]
         return answers[-1]

@@ -1,4 +1,4 @@
-"""Checks of requests: what reaches a worker has the fields, types and sizes of the tables here and in docs/web.md."""
+"""Checks of requests. A worker receives only fields, types and sizes of the tables here and in docs/web.md."""
 
 import math
 import re
@@ -99,7 +99,7 @@ def points(value, name):
     return [numbers(each, name, 3) for each in value]
 
 
-# Of tools; a library, which would be a file, is none of them.
+# Keys of tools, without `library`, which is a file.
 TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length",
              "shank", "holder_diameter", "holder_length", "flutes")
 STOCK_KEYS = ("margin", "top", "thickness")
@@ -113,21 +113,21 @@ def short_text(value, name):
 
 
 def settings(value, name, keys=None):
-    """Numbers, flags and short texts by name; `keys`: the names that there may be."""
+    """Checks numbers, flags and short texts by name; `keys`: the permitted names."""
     if not isinstance(value, dict) or len(value) > 60:
         raise wrong(f"'{name}' must be an object of settings by name")
     checked_values = {}
     for key, each in value.items():
         if not SETTING_NAME.fullmatch(key) or (keys is not None and key not in keys):
             raise wrong(f"'{key[:40]}' is no setting of '{name}'")
-        is_text = isinstance(each, str) and each not in ("NaN", "Infinity", "-Infinity")  # which JSON's numbers became
+        is_text = isinstance(each, str) and each not in ("NaN", "Infinity", "-Infinity")  # JSON constants read as text
         checked_values[key] = (each if isinstance(each, bool) else short_text(each, f"{name}.{key}") if is_text
                                else number(each, f"{name}.{key}"))
     return checked_values
 
 
 def machining_job(value, name):
-    """A job of fieldfab.cam, without any file."""
+    """Checks a job of fieldfab.cam; it must not name files."""
     fields = {"machine", "material", "setting", "zero", "stock", "tools", "operations"}
     if not isinstance(value, dict) or set(value) - fields:
         raise wrong(f"'{name}' must be an object of {', '.join(sorted(fields))}")
@@ -143,7 +143,7 @@ def machining_job(value, name):
             "operations": [settings(each, "operation") for each in lists["operations"]]}
 
 
-# {field: (check, default)} of each request; a field without default must be given.
+# {field: (check, default)} of each request; a field without default is required.
 MUST = object()
 MODEL = {"text": (text, MUST), "language": (lambda v, n: one_of(v, n, FORMULAS + SCRIPTS), "frep"),
          "values": (parameter_values, {})}
@@ -182,7 +182,7 @@ REQUESTS = {
 
 
 def checked(do, given, folder, allow_scripts, beside=()):
-    """The request for a worker. `beside`: fields that are the caller's own. Raises Refused."""
+    """Returns the request for a worker. `beside`: fields for the caller only. Raises Refused."""
     fields = REQUESTS[do]
     if not isinstance(given, dict):
         raise wrong("a request is a JSON object")

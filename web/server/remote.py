@@ -1,5 +1,5 @@
-"""Code that runs on the machines of a Dask cluster: one request in a worker process of its own. It knows the worker's
-side only."""
+"""Code for the machines of a Dask cluster: runs one request in its own worker process. It imports worker modules
+only."""
 
 import os
 import subprocess
@@ -11,9 +11,10 @@ from .frames import frame, read_frame
 
 
 def run(request, memory, seconds, most, topic, name):
-    """Returns (the answers other than progress, {name: bytes} of the files it wrote). Publishes progress under the
-    topic. Ends when the event `name` is set, after some seconds at the latest. `most`: bytes of its files in all."""
-    import distributed  # where this runs, it is there; the server imports it only where there is a cluster
+    """Returns (the answers other than progress, {name: bytes} of the written files). Publishes progress under the
+    topic. Ends when the event `name` is set, or after `seconds`. `most`: limit of the total size of its files,
+    bytes."""
+    import distributed  # installed on clusters; the server imports it only with --scheduler
 
     told, stopped, late = distributed.get_worker().log_event, distributed.Event(name), threading.Event()
     with tempfile.TemporaryDirectory(prefix="fieldfab-job-") as folder:

@@ -1,4 +1,5 @@
-"""Who may ask: requests of this page only, to a name that is ours, with the token where other machines can reach us."""
+"""Access control: requests from this page only, to a known host name, and with a token if other machines have
+access."""
 
 import hmac
 import secrets
@@ -11,7 +12,7 @@ COOKIE = "fieldfab_token"
 
 
 def policy(nonce):
-    """Content-Security-Policy of the page: nothing from elsewhere, no inline scripts."""
+    """Returns the Content-Security-Policy of the page: no external resources, no inline scripts."""
     return (
         f"default-src 'none'; script-src 'self'; style-src 'self' 'nonce-{nonce}'; img-src 'self' blob: data:; "
         "font-src 'self'; connect-src 'self'; frame-src 'self'; base-uri 'none'; form-action 'none'; "
@@ -19,7 +20,7 @@ def policy(nonce):
     )
 
 
-# The frame that runs nodes' code has an origin of its own and reaches nothing: no network, no storage, no page.
+# The frame for nodes' code has an opaque origin, without access to network, storage or page.
 SANDBOX_POLICY = (
     "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval' blob:; worker-src blob:; "
     "connect-src 'none'; frame-ancestors 'self'"
@@ -31,14 +32,14 @@ NOTHING_POLICY = "default-src 'none'; frame-ancestors 'none'"
 
 class Guard:
     def __init__(self, hosts, token=None):
-        """`hosts`: the names that we answer to, with their ports; None where a token is asked for instead."""
+        """`hosts`: accepted host names with ports; None if a token is required instead."""
         self.hosts, self.token = hosts, token
 
     def _same(self, given):
         return given is not None and hmac.compare_digest(given.encode(), self.token.encode())
 
     def check(self, request):
-        """Raises Refused, or HTTPFound after a token in the URL, which becomes a cookie."""
+        """Raises Refused, or HTTPFound for a token in the URL, which becomes a cookie."""
         if self.hosts is not None and request.headers.get("Host", "").lower() not in self.hosts:
             raise Refused(403, "host", "this server does not answer to that name")
         origin = request.headers.get("Origin")

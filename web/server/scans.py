@@ -1,4 +1,4 @@
-"""Scans: files of densities beside the documents, uploaded whole or not at all."""
+"""Scans: files of densities in the documents' folder, uploaded whole or not at all."""
 
 import asyncio
 import os
@@ -9,7 +9,7 @@ from .limits import LIMITS
 from .processes import Refused
 from .protocol import wrong
 
-# Formats that name no other file, which could lie anywhere.
+# Formats without references to other files, which could be anywhere.
 NAME = re.compile(r"[^\W_][\w .+-]{0,99}\.(nii|nii\.gz|vdb|tif|tiff)", re.ASCII | re.IGNORECASE)
 
 
@@ -18,7 +18,7 @@ class Scans:
         self._folder, self._turn = os.path.realpath(folder), asyncio.Semaphore(LIMITS.uploads)
 
     def path(self, name):
-        """Raises Refused for what is no name of a scan."""
+        """Returns a scan's path. Raises Refused for an invalid name."""
         if not NAME.fullmatch(name):
             raise Refused(400, "name", f"'{name[:120]}' is no name of a scan: "
                           "letters, digits, spaces and . + - _, and .nii, .nii.gz, .vdb or .tif at the end")
@@ -36,7 +36,7 @@ class Scans:
                           if NAME.fullmatch(entry.name) and entry.is_file(follow_symlinks=False))[: LIMITS.documents]
 
     async def upload(self, name, request):
-        """Writes the body of a request; a scan of that name is never written over."""
+        """Writes the body of a request to a new scan; never overwrites one."""
         path = self.path(name)
         if (request.content_length or 0) > LIMITS.scan:
             raise Refused(413, "too_large", f"a scan may have {LIMITS.scan:,} bytes")
@@ -72,7 +72,7 @@ class Scans:
     def _publish(self, waiting, path):
         with open(waiting, "rb") as file:
             os.fsync(file.fileno())
-        os.link(waiting, path)  # which writes over nothing
+        os.link(waiting, path)  # fails if the file exists
 
     def remove(self, name):
         os.remove(self.existing(name))

@@ -1,5 +1,5 @@
-"""The WebSocket: views of models. Each view has at most one picture in the making and at most one that waits; a newer
-request replaces it."""
+"""The WebSocket: views of models. Each view has at most one picture in progress and one request in the queue, which a
+newer request replaces."""
 
 import asyncio
 import contextlib
@@ -15,7 +15,7 @@ from .protocol import checked, wrong
 
 
 class View:
-    """What one view of one socket asks for."""
+    """Requests of one view of one socket."""
 
     def __init__(self, session):
         self._session, self._next, self._worker, self._task, self._finer, self._text = (
@@ -25,7 +25,7 @@ class View:
         self._next = (number, name, request)
         if self._worker is not None:
             self._worker.stop()
-        elif self._finer is not None:  # it waits for a worker: the newer request does not wait for it
+        elif self._finer is not None:  # the finer picture still waits for a worker: drop it
             self._finer.cancel()
         if self._task is None or self._task.done():
             self._task = asyncio.create_task(self._run())
@@ -41,13 +41,13 @@ class View:
         while self._next is not None:
             async with (self._session.turn,
                         self._session.pool.worker(self._next[2]["text"], self._session.rank()) as self._worker):
-                # The newest request: the wait may have been long.
+                # Takes the newest request: the wait may have been long.
                 (number, name, request), self._next = self._next, None
                 head = {"number": number, "view": name}
                 first = {**request, "fine": not request["coarse"],
                          "smooth": request["smooth"] and not request["coarse"]}
                 good = await self._answer(head, first, parameters=True)
-            # The coarse pictures of all clients go before the fine ones of any.
+            # Coarse pictures of all clients have priority over fine ones.
             if good and request["coarse"] and self._next is None:
                 self._finer = asyncio.create_task(self._fine(head, request))
                 await asyncio.wait([self._finer])
@@ -60,7 +60,7 @@ class View:
             self._worker = None
 
     async def _answer(self, head, request, parameters=False):
-        """Sends the pictures of a request, after the text's parameters if it is new. Returns whether all were made."""
+        """Sends the pictures of a request, preceded by the parameters of a new text. Returns whether all were made."""
         started = asyncio.get_running_loop().time()
         try:
             if parameters and request["text"] != self._text and request["language"] == "frep":
@@ -68,7 +68,7 @@ class View:
                 async for found, _ in self._worker.ask({"do": "parameters", "text": self._text},
                                                        LIMITS.picture_seconds):
                     self._session.tell({"type": "parameters", **head, **found})
-            if self._next is not None:  # a newer request came between the two, which stops neither
+            if self._next is not None:  # a newer request arrived between the two and stopped neither
                 return False
             async for told, data in self._worker.ask(request, LIMITS.picture_seconds):
                 self._session.tell({"type": "picture", **head, **told}, data)
@@ -82,7 +82,7 @@ class View:
 
 
 class Session:
-    """One socket. What it tells goes through a queue, so that a client that does not read holds no worker."""
+    """One socket. Its answers pass a queue, so that a client that does not read blocks no worker."""
 
     def __init__(self, socket, pool, folder, allow_scripts):
         self._socket, self.pool, self._folder, self._allow_scripts = socket, pool, folder, allow_scripts
@@ -91,12 +91,12 @@ class Session:
         self._views, self._queue, self.turn = {}, asyncio.Queue(LIMITS.unsent), asyncio.Semaphore(LIMITS.at_once)
 
     def used(self, seconds):
-        """Counts the time that its pictures took; half of it is forgotten in 5 s."""
+        """Adds the time of its pictures to a sum that decays with a half-life of 5 s."""
         now = asyncio.get_running_loop().time()
         self._used, self._counted = self._used * 0.5 ** ((now - self._counted) / 5) + seconds, now
 
     def rank(self):
-        """Those who take much go after those who take little."""
+        """Returns the socket's rank in the queue; heavy users come last."""
         self.used(0)
         return 2 if self._used > LIMITS.much_seconds else 0
 
@@ -122,7 +122,7 @@ class Session:
         number = None
         try:
             try:
-                given = json.loads(data, parse_constant=lambda word: word)  # NaN is refused as no number, by name
+                given = json.loads(data, parse_constant=lambda word: word)  # NaN stays a text, and is refused by name
             except (ValueError, RecursionError):
                 raise wrong("a message is a JSON object") from None
             number = given.get("number") if isinstance(given, dict) else None
@@ -148,7 +148,7 @@ class Session:
                     break
                 if message.type == aiohttp.WSMsgType.TEXT:
                     self._take(message.data)
-                await asyncio.sleep(0)  # others have their turn, however many came at once
+                await asyncio.sleep(0)  # lets other tasks run during a burst of messages
         finally:
             sender.cancel()
             for view in self._views.values():
@@ -156,7 +156,7 @@ class Session:
 
 
 class Sockets:
-    """All of them."""
+    """All open sockets."""
 
     def __init__(self, pool, folder, allow_scripts):
         self._pool, self._folder, self._allow_scripts = pool, folder, allow_scripts

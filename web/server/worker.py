@@ -1,6 +1,6 @@
-"""A worker process: `python3 -m fieldfab.serve.worker MEMORY`. It takes one request after another on standard input and
-answers on standard output, in frames. A text can ask for any memory, any time and any depth of stack: what goes wrong
-here ends here."""
+"""A worker process: `python3 -m fieldfab.serve.worker MEMORY`. It reads requests from standard input and writes answers
+to standard output, in frames. A text can need any amount of memory, time and stack: a failure is confined to this
+process."""
 
 import ctypes
 import math
@@ -21,7 +21,7 @@ PR_SET_PDEATHSIG = 1
 
 
 class Stopped(Exception):
-    """Raised inside work whose result nobody wants any more."""
+    """Raised inside a request whose result is no longer needed."""
 
 
 class Worker:
@@ -30,7 +30,7 @@ class Worker:
         self.requests, self.stopped = queue.Queue(), threading.Event()
 
     def listen(self, stream):
-        """Takes requests, and, in the middle of one, the word to stop it."""
+        """Reads requests and, during a request, the message that stops it."""
         while (message := read_frame(stream)) is not None:
             if message[0]["do"] == "stop":
                 self.stopped.set()
@@ -79,7 +79,7 @@ class Worker:
         self.answer(scan_told(request["path"]))
 
     def words(self, request):
-        """Names that fit at an offset, which is JavaScript's here."""
+        """Returns completions at an offset in UTF-16 units."""
         data = request["text"].encode()
         offset = len(
             request["text"].encode("utf-16-le")[: 2 * request["offset"]].decode("utf-16-le", "replace").encode())
@@ -116,20 +116,20 @@ class Worker:
             except MemoryError:
                 self.answer({"done": True,
                              "error": {"kind": "memory", "message": "this takes more memory than a request may have"}})
-                os._exit(1)  # what is left of it is unknown
-            except Exception as error:  # a mistake of ours: told, not hidden
+                os._exit(1)  # the process is in an unknown state
+            except Exception as error:  # a bug of ours: reported, not hidden
                 self.answer({"done": True,
                              "error": {"kind": "internal", "message": f"{type(error).__name__}: {error}"}})
 
 
 def main():
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # the server's end is ours, however it ends
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # ends with the server, even if that is killed
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's to handle
     memory = int(sys.argv[1])
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     output = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what a library prints is no frame
+    os.dup2(2, 1)  # output of libraries must not mix with frames
     worker = Worker(output)
     threading.Thread(target=worker.listen, args=(sys.stdin.buffer,), daemon=True).start()
     worker.serve()

@@ -1,5 +1,5 @@
 """Drives the real window of `fieldfab edit` on a model file. argv[1]: the file; argv[2]: the file of the screenshot.
-Prints what it saw."""
+Prints its observations."""
 
 import json
 import os
@@ -40,14 +40,14 @@ def wait_for_picture():
 
 
 def shown():
-    """The view's pixels, as they are on the screen."""
+    """Returns the view's pixels on the screen."""
     image = window.view.grab().toImage().convertToFormat(QtGui.QImage.Format_RGB888)
     lines = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
     return lines[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
 
 
 def rendered():
-    """What the window should show, made by render() alone."""
+    """Returns the expected picture, by render() alone."""
     view = window.view
     picture = ff.render(ff.load(model), size=max(view.width(), view.height()), **view.settings())
     pixels = picture.pixels if picture.channels == 3 else np.repeat(picture.pixels[:, :, None], 3, 2)
@@ -60,7 +60,7 @@ wait_for_picture()
 seen["exact"] = int(np.abs(shown() - rendered()).max())
 first = shown()
 
-# A save shows.
+# A save updates the view.
 started = time.monotonic()
 model.write_text("difference(box(10, 10, 10), sphere(6))\n")
 wait(lambda: len(fine) > 0)
@@ -88,7 +88,7 @@ application.sendEvent(window.view, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCor
 wait_for_picture()
 window.grab().save(shot)
 
-# Sliders of the text's parameters; the file is written by the button only.
+# Sliders of the text's parameters; only the button writes the file.
 fine.clear()
 text = "size = 10  # 4 to 12, ½\nbox(size, size, size)\n"
 model.write_text(text)
@@ -107,7 +107,7 @@ model.write_text("difference(box(10, 10, 10), sphere(6))\n")
 wait_for_picture()
 seen["no_sliders"] = not window.sliders.isVisible()
 
-# A mistake is told, and the last good picture stays.
+# An error is shown, and the last valid picture stays.
 good = shown()
 model.write_text("difference(box(10, 10, 10), spheer(6))\nr = q  # ½\n")
 wait(lambda: window.view.error)
@@ -124,10 +124,10 @@ seen["error_gone"] = window.view.error == ""
 seen["flat_mode"] = window.view.settings()["mode"]
 seen["exact_flat"] = int(np.abs(shown() - rendered()).max())
 
-# An endless script can be left: a newer version takes its place.
+# A newer version of the file replaces an endless script.
 os.rename(model, model.with_suffix(".old"))
 wait(lambda: window.view.error)
 seen["missing"] = window.view.error
 window.close()
 print(json.dumps(seen))
-os._exit(0)  # worker threads may still run
+os._exit(0)  # worker threads may still be running

@@ -1,5 +1,5 @@
-"""Run by freecadcmd, to be killed: recomputes and saves the document FIELDFAB_DOCUMENT over and over, and prints each
-step before it."""
+"""Run by freecadcmd, and killed by the test: recomputes and saves the document FIELDFAB_DOCUMENT in a loop, and prints
+each step before it begins."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window, where German is preferred."""
+"""Runs inside FreeCAD's window with German as the preferred language."""
 
 import FreeCADGui
 from window import live, shot

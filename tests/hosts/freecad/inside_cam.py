@@ -50,7 +50,7 @@ def give(operation, name, value):
 
 
 def test_a_program_is_that_of_the_same_job_from_the_command_line(document, tmp_path):
-    """The same part, tool and settings as a job file of its own, through the kernel's reader of files."""
+    """The same part, tool and settings in a job file, read by the kernel, give the same program."""
     setup = set_up(document)
     give(setup.Operations[0], "stepdown", 3.0)
     program = planned(setup)
@@ -296,7 +296,7 @@ def test_a_saved_document_opens_with_its_program(document, tmp_path, monkeypatch
 
 
 def test_ways_follow_arcs():
-    """Two quarter circles about (0, 0), against the closed form; rapids and cuts apart."""
+    """Two quarter circles about (0, 0), against the closed form; rapids and cuts are separate."""
     k = np.tan(np.pi / 8)
     moves = np.array([[10, 0, 0, 0, 0], [0, 10, 0, 600, k], [-10, 0, 1, 600, k], [-10, 0, 5, 0, 0], [20, 0, 5, 0, 0],
                       [20, 5, 5, 600, 0]], float)

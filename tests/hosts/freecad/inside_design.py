@@ -1,4 +1,4 @@
-"""Runs inside freecadcmd: what the editor, the gallery and the live view know, without a window."""
+"""Runs inside freecadcmd: functions of the editor, the gallery and the live view that need no window."""
 
 import os
 import pathlib
@@ -87,7 +87,7 @@ def test_numbers_become_parameters():
     text = box.solid({**box.values, "dx": "12", "r": "1.5"})
     assert numbers(text) == {"dx": 12, "dy": 6, "dz": 4, "r": 1.5}
     assert box.call(box.values) == "rounded_box(dx = 8, dy = 6, dz = 4, r = 1)"
-    # A name that means something already gets another.
+    # A reserved name is replaced.
     assert numbers(every["plane"].solid(every["plane"].values)) == {"nx": 1, "ny": 1, "nz": 1, "offset_": 2}
     assert numbers(every["text"].solid({**every["text"].values, "words": '"Hi"'})) == {"h": 5, "weight": 0.9}
     assert every["difference"].call(every["difference"].values) == "difference(box(6, 6, 4), cylinder(2, 6))"
@@ -103,7 +103,7 @@ def test_pictures_are_found_beside_an_installed_workbench(tmp_path, monkeypatch)
 
 # The live view.
 def pieces(picture):
-    """The triangles of a picture, as (n, 3, 3) points."""
+    """Returns the triangles of a picture as points of shape (n, 3, 3)."""
     corners = []
     for data in (each for piece in picture.values() for each in piece):
         node = inventor.read(data)
@@ -124,7 +124,7 @@ def test_coin_nodes_hold_the_mesh():
     _, slopes = fieldfab.Solid(fieldfab.parse("box(4, 4, 4)")).gradients(mesh.vertices)
     vertices, normals, triangles = inventor.corner_normals(mesh.vertices, mesh.triangles, slopes)
     assert area(pieces({0: [inventor.written(vertices, normals, triangles)]})) == pytest.approx(6 * 16, rel=1e-5)
-    # At sharp edges each side keeps its own normal.
+    # Normals are not averaged across sharp edges.
     facets = np.cross(vertices[triangles[:, 1]] - vertices[triangles[:, 0]],
                       vertices[triangles[:, 2]] - vertices[triangles[:, 0]])
     facets /= np.linalg.norm(facets, axis=1)[:, None]
@@ -192,7 +192,7 @@ def test_blocks_are_refined_where_the_eye_is():
     far, near = (1000, 0, 0), (12, 12, 12)
     assert not seen.is_coarse_for(far) and seen.is_coarse_for(near)
     picture = seen.divided(go_on)
-    # Blocks overlap by a cell; nothing closes them inside the solid.
+    # Blocks overlap by a cell, and are open inside the solid.
     assert whole < area(pieces(picture)) < 1.25 * whole
     before = sum(map(len, picture[(1, 1, 1)]))
     for part in seen.detail(near, go_on):
@@ -228,7 +228,8 @@ def test_solids_without_bounds_are_told():
 
 
 def loaded_by(code):
-    """The names of all modules loaded by some code, in a Python of its own that finds FreeCAD and the workbench."""
+    """Returns the names of all modules that `code` loads, in a separate Python with FreeCAD and the workbench in its
+    path."""
     paths = [str(WORKBENCH), *(p for p in sys.path if "freecad" in p.lower())]
     code = f"import sys; sys.path[:0] = {paths!r}\n{code}\nprint(chr(10).join(['loaded:', *sys.modules]))"
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
@@ -238,7 +239,7 @@ def loaded_by(code):
 
 
 def test_the_workbench_loads_without_what_takes_long():
-    """Neither numpy nor the kernel is imported before something is made: the types of files are in the preferences."""
+    """The start imports neither numpy nor the kernel: the preferences store the file types."""
     FreeCAD.saveParameter("User parameter")
     loaded = loaded_by("import FreeCAD, FreeCADGui; FreeCADGui.addCommand = lambda *given: None\n"
                        "from fieldfab_workbench import commands; commands.register()")
@@ -246,7 +247,7 @@ def test_the_workbench_loads_without_what_takes_long():
 
 
 def test_objects_and_files_load_without_the_window():
-    """Neither Qt nor Coin, views or panels are imported for objects, nor for the files that come in and go out."""
+    """Objects, import and export of files load neither Qt, Coin, views nor panels."""
     package = WORKBENCH / "fieldfab_workbench"
     names = [f"objects.{file.stem}" for file in sorted((package / "objects").glob("*.py")) if file.stem != "__init__"]
     names = [f"fieldfab_workbench.{name}" for name in (*names, "file_types", "files", "openscad_files", "path_jobs")]

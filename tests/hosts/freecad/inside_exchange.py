@@ -1,4 +1,4 @@
-"""Runs inside freecadcmd: solids as Part shapes, and what FreeCAD does with any object."""
+"""Runs inside freecadcmd: solids as Part shapes, and FreeCAD's generic operations on objects."""
 
 import math
 

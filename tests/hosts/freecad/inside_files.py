@@ -1,4 +1,4 @@
-"""Runs inside freecadcmd: files that come into FreeCAD and go out of it, as FreeCAD itself calls it."""
+"""Runs inside freecadcmd: import and export of files, called as FreeCAD does."""
 
 import importlib
 import math
@@ -25,7 +25,7 @@ def frep(document, text, voxel=0.25, at=(0, 0, 0)):
 
 
 def importer(path):
-    """The module that FreeCAD takes for a file."""
+    """Returns the module that FreeCAD uses for a file."""
     for ending in (".".join(path.name.split(".")[1:]), path.suffix[1:]):
         for module in FreeCAD.getImportType(ending) or []:
             if module == file_types.MODULE:
@@ -44,7 +44,7 @@ def test_file_types_are_those_of_the_kernel(monkeypatch):
                 row["writes"] and (row["kind"] in ("distances", "mesh") or ending in ("frep", "math", "vm", "vdb")))
             assert (file_types.MODULE in (FreeCAD.getExportType(ending) or [])) == goes_out, ending
     assert file_types.MODULE in FreeCAD.getImportType("gz"), "of .nii.gz FreeCAD sees the end"
-    # FreeCAD's start takes the table from the preferences, without the kernel.
+    # FreeCAD's start reads the table from the preferences, without the kernel.
     monkeypatch.setattr(kernel, "load", lambda: pytest.fail("the kernel was loaded"))
     file_types.table.cache_clear()
     assert "glb" in file_types.extensions("mesh", writes=True) and file_types.format_of("a.NII.GZ")["kind"] == "volume"
@@ -91,7 +91,7 @@ def test_texts_and_fields_come_in_and_go_out(document, tmp_path):
 
 
 def test_freecad_itself_takes_them(document, tmp_path):
-    """As its Open does it, by the file's name alone."""
+    """FreeCAD's Open chooses the importer by the file's name."""
     (tmp_path / "ball.frep").write_text("sphere(r = 5)")
     FreeCAD.loadFile(str(tmp_path / "ball.frep"))
     made = FreeCAD.ActiveDocument.Objects[0]
@@ -137,14 +137,14 @@ def test_what_cannot_be_read_adds_nothing(document, tmp_path):
 
 @pytest.fixture
 def coarse():
-    """Few cells, for time."""
+    """Uses large cells, for speed."""
     FreeCAD.ParamGet(preferences.PATH).SetInt("Cells", 16)
     yield
     FreeCAD.ParamGet(preferences.PATH).RemInt("Cells")
 
 
 def ball_and_box(folder, radius=5):
-    """A model of two parts, the second of which opens a file."""
+    """Returns a model of two parts; the second opens a file."""
     path, opened = folder / "model.frep", folder / "lid.frep"
     opened.write_text("move(box(4, 4, 4), 20, 0, 0)")
     path.write_text(f'part(sphere(r = {radius}), "ball", "red")\npart(open("lid.frep"), "lid")\n')
@@ -192,7 +192,7 @@ def test_a_document_with_parts_opens_as_it_was_and_moves_with_its_files(document
 
 
 def test_the_example_of_an_assembly_comes_in(document, coarse):
-    """A scan, a mesh and formulas: parts of one text."""
+    """A scan, a mesh and formulas are parts of one text."""
     group = files.insert(str(DATA.parents[1] / "examples" / "assembly" / "display.frep"), document.Name)
     assert ([part.Label for part in group.Group] == ["engine", "stand", "knobs"]
             and all(part.isValid() and part.Triangles > 100 for part in group.Group))
@@ -202,7 +202,7 @@ def test_the_example_of_an_assembly_comes_in(document, coarse):
 
 @pytest.mark.parametrize("ending", file_types.extensions("mesh", writes=True, parts=True))
 def test_parts_go_out_with_names_and_colours(document, coarse, tmp_path, ending):
-    """Overlapping parts stay apart; one of them is moved, and one is no solid of ours."""
+    """Overlapping parts remain separate; one of them is moved, and one is a foreign solid."""
     group = files.insert(str(ball_and_box(tmp_path)[0]), document.Name)
     group.Group[0].Placement.Base = FreeCAD.Vector(18, 0, 0)
     box = document.addObject("Part::Box", "Box")
@@ -225,7 +225,7 @@ def test_parts_go_out_with_names_and_colours(document, coarse, tmp_path, ending)
 
 
 def test_parts_go_out_as_text(document, coarse, tmp_path):
-    """Of a formula, moved, and of what another file has: the text opens that."""
+    """A moved formula, and a solid from another file, which the text opens."""
     kernel.load().openscad_design("cube(4);").solid.faces().save(tmp_path / "lid.3mf")
     path = tmp_path / "model.frep"
     path.write_text('part(sphere(5), "ball", "red")\npart(open("lid.3mf"), "lid")')
@@ -250,7 +250,7 @@ def test_united_parts_have_their_colours_at_the_vertices(document, tmp_path):
 
 
 def test_a_cancelled_import_adds_nothing(document, tmp_path, monkeypatch):
-    """Whether it is the reading, or the mesh of the second part."""
+    """Cancellation during reading, and during the mesh of the second part."""
     (path, _), run = ball_and_box(tmp_path), work.run
     for stopped in (1, 3):
         for docname in (document.Name, ""):

@@ -23,7 +23,7 @@ EXAMPLES = ("CSG LetterBlock assert example002 example003 example004 example005 
 
 @pytest.fixture
 def read(document, tmp_path):
-    """read(text): the root of a .csg design."""
+    """Returns a function that reads the text of a .csg design and returns its root."""
 
     def reading(text, name="design.csg"):
         (tmp_path / name).write_text(text)
@@ -37,7 +37,7 @@ def below(obj):
 
 
 def shape(obj):
-    """A tree as nested lists: what it is, then what it is made of."""
+    """Returns a tree as nested lists: kind, then children."""
     what = obj.Node if hasattr(obj, "Node") else obj.Operation if hasattr(obj, "Operation") else "text"
     return [what, *map(shape, below(obj))]
 
@@ -47,7 +47,7 @@ def named(document, label):
 
 
 def volume_of(text, folder="."):
-    """By the kernel, of the whole text at once."""
+    """Returns the volume of the whole text by the kernel."""
     design = kernel.load().openscad_design(text, folder)
     return kernel.load().mesh(design.solid, voxel=design.voxel).volume
 
@@ -82,7 +82,7 @@ CORNER = ("difference() { cube(size = [10, 10, 10]); "
 
 
 def by_the_command(folder):
-    """What the command tells of the mesh that it makes of the design that was read last."""
+    """Returns the command's summary of the mesh of the design that was read last."""
     return openscad_designs.ours(folder / "design.csg", folder / "command.off", False)[0]
 
 
@@ -106,7 +106,7 @@ def test_the_mesh_has_the_designs_own_faces(document, read, tmp_path):
 
 
 def test_quarter_turns_are_exact(document, read):
-    """A quaternion's are not: planes that should be one would be two."""
+    """Those of quaternions are not: coplanar faces would separate."""
     root = read(CORNER)
     root.Sources[1].Placement = FreeCAD.Placement(FreeCAD.Vector(5, 15, 5),
                                                   FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90))
@@ -202,7 +202,7 @@ def test_what_is_only_shown_may_be_wrong(document, read):
                                   "[[0.612372, -0.353553, 0.707107, 3], [0.5, 0.866025, 0, 0], "
                                   "[-0.612372, 0.353553, 0.707107, 0], [0, 0, 0, 1]]"])
 def test_faces_that_meet_leave_no_skin(read, turn):
-    """One more hole than the whole has, each flush with a face: what is left is one closed piece."""
+    """Holes flush with a face leave a single closed piece."""
     holes = ("cube(size = [5, 10, 10]); "
              "multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [5, 5, 5]); }")
     root = read(
@@ -401,7 +401,7 @@ def test_large_designs_are_one_object(document, read, tmp_path):
 
 
 def test_the_trunk_of_a_large_design_is_a_tree(document, read):
-    """Branches that are too large are one object each, where they were, also within moves."""
+    """Each branch that is too large becomes one object in its place, also within moves."""
     row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], "
                     f"[0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
     text = ("difference() { multmatrix([[1, 0, 0, 0], [0, 1, 0, 9], [0, 0, 1, 0], [0, 0, 0, 1]]) { %sphere(r = 3); "
@@ -504,7 +504,7 @@ def test_faces_go_out(document, read, tmp_path):
 def test_several_designs_go_out_united(document, read, tmp_path):
     root = read(CORNER)
     block = read("cube(size = [10, 10, 4]);", "block.csg")
-    block.Placement.Base = FreeCAD.Vector(10, 0, 0)  # a whole side of it touches
+    block.Placement.Base = FreeCAD.Vector(10, 0, 0)  # one of its sides touches
     mesh = exported([root, block], tmp_path / "out.stl")
     assert len(mesh.triangles) < 50 and mesh.volume == 875 + 400 and kernel.load().inspect(mesh).components == 1
     plate = read("square(size = [4, 5]);", "plate.csg")

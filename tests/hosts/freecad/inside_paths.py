@@ -34,7 +34,7 @@ def programmed(document, text, operations, machine="linuxcnc", tool=None, at=(0,
 
 
 def positions(text):
-    """X, Y, Z after each line that moves, of G-code in millimetres."""
+    """Returns X, Y, Z after each move of a G-code text in millimetres."""
     now, found = {"X": math.nan, "Y": math.nan, "Z": math.nan}, []
     for line in text.splitlines():
         if re.match(r"(?:N\d+ )?G0?[0123] ", line):
@@ -44,7 +44,7 @@ def positions(text):
 
 
 def exported(job, folder):
-    """What FreeCAD's LinuxCNC post makes of a job."""
+    """Returns the output of FreeCAD's LinuxCNC post-processor for a job."""
     path = str(folder / "posted.ngc")
     listed = []
     for operation in job.Operations.Group:
@@ -96,8 +96,8 @@ def test_freecads_job_post_and_simulator_take_them(document, tmp_path):
     posted = positions(text)
     distinct = lambda rows: rows[np.r_[True, (np.abs(np.diff(rows, axis=0)) > 2e-5).any(axis=1)]]  # noqa: E731
     assert np.allclose(distinct(posted[1:]), distinct(np.round(ours, 5)), atol=2e-5)
-    # FreeCAD's simulator leaves the dome with its allowance: the frame of 2 mm around it is gone; what is less than a
-    # level above the dome stays.
+    # FreeCAD's simulator leaves the dome with its allowance. The frame of 2 mm around it is removed; material less than
+    # a level above the dome remains.
     import PathSimulator
 
     simulator = PathSimulator.PathSim()
@@ -142,7 +142,7 @@ def test_freecads_dress_ups_take_them_and_are_simulated(document, tmp_path):
     document.recompute()
 
     def plunges(commands):
-        """Cuts straight down."""
+        """Returns the vertical cuts."""
         return [c for c in commands if c.Name == "G1" and set(c.Parameters) <= {"Z", "F"}]
 
     told = [c for c in path.Path.Commands if c.Name == "G1"]

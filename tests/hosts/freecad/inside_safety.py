@@ -1,4 +1,4 @@
-"""Runs inside freecadcmd: documents that must not run anything, that lose something, and large ones."""
+"""Runs inside freecadcmd: documents must not execute code; documents with missing data; large documents."""
 
 import os
 import sys
@@ -29,7 +29,7 @@ sys.addaudithook(_watch)
 
 @pytest.fixture
 def watched():
-    """What is run while `watched` is on: Python's own audit events, which nothing can hide from."""
+    """Records all code and processes that run, by Python's audit events, which no code can bypass."""
     _seen.clear()
     yield _seen
     _watching.clear()
@@ -66,7 +66,7 @@ def one_of_each(document, tmp_path):
 
 
 def test_opening_runs_nothing(document, tmp_path, watched):
-    """Neither scripts that a document names nor texts that look like programs."""
+    """Neither scripts named in a document nor texts in the form of programs are executed."""
     ran = tmp_path / "ran"
     evil = f"__import__('pathlib').Path({str(ran)!r}).touch()"
     (tmp_path / "evil.py").write_text(evil)
@@ -90,7 +90,7 @@ def test_opening_runs_nothing(document, tmp_path, watched):
 
 
 def test_documents_hold_no_program(document, tmp_path):
-    """Of our objects a document keeps the class's name and null: no state that FreeCAD would have to bring to life."""
+    """A document stores only the class name of our objects, and null: there is no state to deserialize."""
     made = one_of_each(document, tmp_path)
     document.saveAs(str(tmp_path / "all.FCStd"))
     text = zipfile.ZipFile(tmp_path / "all.FCStd").read("Document.xml").decode()

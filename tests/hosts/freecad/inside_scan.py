@@ -18,8 +18,7 @@ BALL = 4 / 3 * math.pi * 6**3
 
 
 def balls(path, radius=6.0, spot=False):
-    """Writes a volume with a ball of that radius in the middle, with samples 0.5 mm apart. `spot`: adds a crumb in a
-    corner."""
+    """Writes a volume of spacing 0.5 mm with a ball in its centre. `spot`: adds a small component in a corner."""
     at = (np.arange(40) - 19.5) * 0.5
     z, y, x = np.meshgrid(at, at, at, indexing="ij")
     densities = np.clip(128 + 100 * (radius - np.sqrt(x * x + y * y + z * z)), 0, 255)
@@ -58,7 +57,7 @@ def test_a_ball_is_found_at_its_samples_resolution(document, tmp_path):
 
 def test_threshold_spacing_crop_and_below(document, tmp_path):
     obj = scanned(document, balls(tmp_path / "ball.nrrd"))
-    obj.AutoThreshold, obj.Threshold = False, 28.0  # a millimetre out
+    obj.AutoThreshold, obj.Threshold = False, 28.0  # 1 mm outside
     document.recompute()
     assert sane(obj) == pytest.approx(4 / 3 * math.pi * 343, rel=0.02)
     obj.Spacing = FreeCAD.Vector(1, 0.5, 0.5)
@@ -97,7 +96,7 @@ def test_clean_up(document, tmp_path):
 def test_real_scans(document, name):
     obj = scanned(document, CT / name, VoxelSize=4.0)
     assert sane(obj) > 100000
-    if name == "CT_pitch.nii.gz":  # the file lies askew and is put where it says
+    if name == "CT_pitch.nii.gz":  # an oblique scan, placed by the file's transform
         assert obj.Mesh.BoundBox.XMin < -60 and obj.Mesh.BoundBox.YMin < -50
 
 
@@ -183,7 +182,7 @@ def test_only_what_changed_is_computed(document, tmp_path, monkeypatch):
     obj.touch()
     document.recompute()
     assert not made
-    obj.Threshold = 3.0  # which is not looked at
+    obj.Threshold = 3.0  # not used
     document.recompute()
     assert not made
     obj.Below = True

@@ -10,7 +10,7 @@ from fieldfab_workbench import work
 from fieldfab_workbench.objects import combine, frep_solid, programs, set_ups, simulation
 from fieldfab_workbench.objects import solid as solids
 
-# A slot of 6 x 40 mm and 2 mm deep; then a rapid through what is left, and over the machine's limit.
+# A slot of 6 x 40 mm and 2 mm deep; then a rapid through the remaining stock and beyond the machine's limit.
 SLOT = """G21 G90 G17
 T1 M6
 S5000 M3
@@ -47,7 +47,7 @@ def test_a_slot_is_cut_and_told(document, slot):
     obj = simulated(document, slot)
     assert obj.isValid(), obj.getStatusString()
     assert obj.Verdict == "good" and not obj.Events
-    assert obj.Removed.Value == pytest.approx(480, rel=0.05)  # counted in samples
+    assert obj.Removed.Value == pytest.approx(480, rel=0.05)  # by number of samples
     assert obj.Volume.Value == pytest.approx(BLOCK - 480, rel=1e-4)
     assert obj.Mesh.isSolid() and obj.Mesh.CountFacets == obj.Triangles
     assert obj.Seconds > obj.RapidSeconds > 0 and obj.AirShare == round(100 * 7 / 57)
@@ -95,7 +95,7 @@ def test_what_is_left_is_a_solid_and_the_next_stock(document, slot, tmp_path):
     across.write_text(SLOT.replace("X-25 Y0", "X0 Y-15").replace("G1 X25", "G1 Y25") + "M2\n")
     second = simulated(document, str(across), Stock=first, Cell=0.5)
     assert second.isValid(), second.getStatusString()
-    # Its edges are as coarse as its cells.
+    # Edges are accurate to a cell.
     assert second.Volume.Value == pytest.approx(first.Volume.Value - (2 * 6 * 30 - 2 * 36), rel=5e-3)
 
 
@@ -164,7 +164,7 @@ def test_set_up_files_count_before_properties(document, slot, tmp_path):
 def test_programs_of_other_objects(document, slot):
     import Path
 
-    # Like a machine program of the CAM set-up: it has files.
+    # Stands for a machine program of the CAM set-up, with files.
     other = document.addObject("App::FeaturePython", "MachineProgram")
     other.addProperty("App::PropertyFile", "ProgramFile")
     other.ProgramFile = slot

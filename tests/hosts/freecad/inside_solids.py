@@ -26,10 +26,10 @@ def frep(document, text, voxel=0.5, **placement):
 def sane(obj):
     assert obj.isValid(), obj.getStatusString()
     assert obj.Mesh.isSolid() and obj.Triangles == obj.Mesh.CountFacets > 11
-    # CGAL's predicates are exact. FreeCAD's own test, in single precision, finds false intersections where two spheres
-    # meet.
+    # CGAL's predicates are exact. FreeCAD's test, in single precision, finds false intersections at the seam of two
+    # spheres.
     assert solids.kernel.load().inspect(meshes.from_bms(meshes.bms_of(obj.Mesh))).valid
-    assert obj.Volume.Value == pytest.approx(obj.Mesh.Volume, rel=1e-3)  # FreeCAD adds up in single precision
+    assert obj.Volume.Value == pytest.approx(obj.Mesh.Volume, rel=1e-3)  # FreeCAD sums in single precision
     return obj.Volume.Value
 
 
@@ -59,7 +59,7 @@ def test_sets_are_those_of_the_placed_sources(document):
     assert sane(combined(document, "Morph", a, c, Weight=1.0)) == pytest.approx(4 / 3 * math.pi * 64, rel=0.02)
 
 
-# No size of cells tells balls that touch from balls that do not.
+# No cell size separates touching balls.
 TOUCHING = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"
 
 
@@ -198,7 +198,7 @@ def test_meshes_and_shapes_are_solids(document):
         if corner is not None:
             assert FreeCAD.Vector(obj.Mesh.BoundBox.XMin, obj.Mesh.BoundBox.YMin,
                                   obj.Mesh.BoundBox.ZMin).distanceToPoint(corner) < 0.05
-    # They can be used in sets as they are.
+    # They can be operands of sets directly.
     drilled = combined(document, "Difference", box, frep(document, "cylinder(r = 2, h = 40)", at=(5, 55, 5)))
     assert sane(drilled) == pytest.approx(1000 - math.pi * 40, rel=0.01)
     lines = document.addObject("Part::Feature", "Lines")
@@ -212,7 +212,7 @@ def test_meshes_and_shapes_are_solids(document):
 def test_parameters_of_the_text_are_properties(document):
     solid = frep(document, "radius = 5  # mm\nh = 10\ncylinder(radius, h)", 0.25)
     document.recompute()
-    # h alone would be an hour in FreeCAD's expressions.
+    # `h` alone is the unit hour in FreeCAD's expressions.
     assert solid.radius == 5 and solid.h_ == 10 and sane(solid) == pytest.approx(math.pi * 250, rel=0.01)
     solid.radius = 3
     document.recompute()
@@ -331,7 +331,7 @@ def test_meshes_go_to_freecad_and_back_unchanged(document):
     mesh = fieldfab.mesh(fieldfab.parse("torus(R = 10, r = 3)"), voxel=0.5)
     there = meshes.to_freecad(mesh)
     assert there.isSolid() and not there.hasNonManifolds() and not there.hasInvalidPoints()
-    # FreeCAD finds the neighbours itself in a .ply; they must be the same.
+    # FreeCAD computes the neighbours of a .ply; ours must be equal.
     path = os.path.join(os.environ["HOME"], "torus.ply")
     mesh.save(path)
     found = Mesh.Mesh(path)

@@ -1,4 +1,4 @@
-"""For tests of task panels in FreeCAD's window: a document, the panels that are opened, what is seen."""
+"""Helpers for tests of task panels in FreeCAD's window: a document, the opened panels, the visible picture."""
 
 import FreeCADGui
 import pytest
@@ -25,7 +25,7 @@ def document(document):
 
 @pytest.fixture
 def panels(monkeypatch):
-    """The panels that are opened, newest last."""
+    """Collects the panels that are opened, newest last."""
     opened, real = [], EditPanel.__init__
 
     def remember(self, obj, title):
@@ -61,7 +61,7 @@ def key(widget, text="", code=0, modifiers=QtCore.Qt.NoModifier):
 
 
 def silhouette(name):
-    """How many pixels of the 3D view have the solid's hue; the picture is kept."""
+    """Returns the number of pixels of the 3D view in the solid's hue; saves a screenshot."""
     picture = window.shot(name).convertToFormat(QtGui.QImage.Format_RGB32)
     view = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
     corner = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))

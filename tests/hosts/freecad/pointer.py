@@ -19,7 +19,7 @@ def _xdotool(*words):
 
 
 def turn_wheel(widget, notches=-3, place=None):
-    """Turns the wheel over a widget: below 0 towards the user."""
+    """Turns the wheel over a widget; negative notches are towards the user."""
     _xdotool("mousemove", *_at(widget, place), "click", "--repeat", str(abs(notches)), "--delay", "5",
              "4" if notches > 0 else "5")
 
@@ -29,7 +29,7 @@ def click(widget, place=None):
 
 
 def drag(widget, begin, end, steps=8):
-    """With the left button, between two places of a widget."""
+    """Drags with the left button between two points of a widget."""
     _xdotool("mousemove", *_at(widget, begin), "mousedown", "1")
     for step in range(1, steps + 1):
         _xdotool("mousemove", *_at(widget, begin + (end - begin) * step / steps))
@@ -37,11 +37,11 @@ def drag(widget, begin, end, steps=8):
 
 
 def type_text(text):
-    """Where the focus is."""
+    """Types into the widget with the focus."""
     _xdotool("type", "--delay", "10", text)
 
 
 def is_seen(widget):
-    """Whether the middle of a widget is where the pointer can reach it."""
+    """Whether the pointer can reach the centre of a widget."""
     return widget.isVisible() and widget.visibleRegion().contains(widget.rect().center()) and QtCore.QRect(
         0, 0, 1400, 860).contains(widget.mapToGlobal(widget.rect().center()))

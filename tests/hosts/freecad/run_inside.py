@@ -22,7 +22,7 @@ def main():
     except BaseException as error:
         said.write(repr(error))
     with open(os.environ["FIELDFAB_RESULT"], "w") as file:
-        # Without FreeCAD's progress.
+        # Removes FreeCAD's progress lines.
         json.dump({"code": code, "said": re.sub(r"[^\n]*\(\d+ %\)[^\n]*\n?", "", said.getvalue())}, file)
     os._exit(0)  # no questions about unsaved documents
 

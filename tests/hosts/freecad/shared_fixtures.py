@@ -1,5 +1,5 @@
-"""Fixtures of the tests that run inside FreeCAD. This is a plugin of pytest, since a second conftest.py would hide the
-other."""
+"""Fixtures of the tests that run inside FreeCAD. A plugin of pytest, since a second conftest.py would shadow the
+first."""
 
 import FreeCAD
 import pytest

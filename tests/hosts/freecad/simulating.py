@@ -1,4 +1,4 @@
-"""For tests in FreeCAD's window: a program with faults, simulated by the panel."""
+"""Helpers for tests in FreeCAD's window: a program with faults, simulated by the panel."""
 
 import pathlib
 
@@ -16,7 +16,7 @@ from fieldfab_workbench.shim import QtCore, QtWidgets
 Button = QtWidgets.QDialogButtonBox
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 
-# A pocket that is cut in rows, then a rapid through the wall that is left, and a cut that is too deep.
+# A pocket in rows, then a rapid through the remaining wall, and a cut that is too deep.
 HEAD = "G21 G90 G17\nT1 M6\nS5000 M3\nG0 X-12 Y-12 Z5\n"
 ROWS = "".join(f"G1 Y{y} F900\nG1 Z-3 F600\nG1 X{12 if i % 2 == 0 else -12} F900\n"
                for i, y in enumerate(range(-12, 13, 4)))
@@ -38,7 +38,7 @@ def document(document):
 
 @pytest.fixture
 def opened(monkeypatch):
-    """The panels that were made."""
+    """Collects the panels."""
     panels, real = [], simulation_panel.SimulationPanel.__init__
     monkeypatch.setattr(simulation_panel.SimulationPanel, "__init__",
                         lambda self, obj: (panels.append(self), real(self, obj))[1])
@@ -53,7 +53,7 @@ def button(words):
 
 
 def simulated(document, opened, tmp_path, target=True, cell=0.2):
-    """Adds a simulation by the command and has it carried out by the panel's button."""
+    """Adds a simulation by the command, and runs it by the panel's button."""
     path = tmp_path / "part.ngc"
     path.write_text(PROGRAM)
     made = None
@@ -85,11 +85,11 @@ def simulated(document, opened, tmp_path, target=True, cell=0.2):
 
 
 def view_pixels(panel, name):
-    """The 3D view as (height, width, 3) numbers."""
+    """Returns the 3D view as an array of shape (height, width, 3)."""
     picture, view = window.shot(name), panel.playback.view.widget()
     at, (width, height) = (view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0)),
                            panel.playback.view.view.getSize())
-    scale = width / view.width()  # pixels of the screen in one of Qt's
+    scale = width / view.width()  # screen pixels per Qt pixel
     picture = picture.copy(round(at.x() * scale), round(at.y() * scale), width, height).convertToFormat(
         picture.Format_RGB888)
     rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())

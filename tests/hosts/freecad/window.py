@@ -1,4 +1,4 @@
-"""For tests that run in FreeCAD's window: waiting while it lives, its buttons, pictures of it."""
+"""Helpers for tests in FreeCAD's window: waiting with a running event loop, buttons, screenshots."""
 
 import os
 import time
@@ -9,7 +9,7 @@ from fieldfab_workbench.shim import QtCore, QtWidgets
 
 
 def wait(until, seconds=30, what="it"):
-    """Lets the window live until the condition holds."""
+    """Processes events until the condition holds."""
     end = time.monotonic() + seconds
     while not until():
         assert time.monotonic() < end, f"waited {seconds} s for {what} in vain"
@@ -18,14 +18,13 @@ def wait(until, seconds=30, what="it"):
 
 
 def live(seconds):
-    """Lets the window live for so many seconds, and for as many rounds of its events as an idle machine has time for: a
-    busy machine takes longer."""
+    """Processes events for `seconds`, and for as many rounds as an idle machine processes in that time."""
     end, rounds = time.monotonic() + seconds, iter(range(round(seconds / 0.03)))
     wait(lambda: next(rounds, None) is None and time.monotonic() > end, seconds + 30, "the window")
 
 
 def press(button):
-    """Clicks OK, Cancel or Apply of the task panel that is open, and waits for the solid that it makes."""
+    """Clicks OK, Cancel or Apply of the open task panel, and waits for its solid."""
     boxes = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
              if box.isVisible() and box.button(button)]
     assert len(boxes) == 1, f"{len(boxes)} button boxes are seen"
@@ -46,7 +45,7 @@ def shot(name):
 
 
 def clock():
-    """Seconds, less those that this thread waited for a core while other programs had them all (where Linux tells)."""
+    """Returns seconds without the time that this thread waited for a core (if Linux reports it)."""
     try:
         with open("/proc/thread-self/schedstat", encoding="ascii") as file:
             return time.monotonic() - int(file.read().split()[1]) / 1e9
@@ -55,7 +54,7 @@ def clock():
 
 
 class Heartbeat:
-    """Measures by the clock above how long the window does not answer: `with Heartbeat() as beat: ...; assert
+    """Measures by clock() the gaps in which the window does not respond: `with Heartbeat() as beat: ...; assert
     beat.answers(), beat.gaps`."""
 
     def __enter__(self):
@@ -80,7 +79,7 @@ class Heartbeat:
         return self.gaps[-1]
 
     def answers(self, within=0.1):
-        """True where the window answered within so many seconds. These machines are shared: one gap in fifty may be the
-        machine's, if it is at most five times as long."""
+        """Whether the window always responded within `within` seconds. Machines are shared: one gap in fifty may be up
+        to five times as long."""
         late = [gap for gap in self.gaps if gap > within]
         return len(late) <= max(1, len(self.gaps) // 50) and self.longest < 5 * within

@@ -29,7 +29,7 @@ def document(document):
 
 
 def make_room():
-    """The panel as wide as a user would have it."""
+    """Widens the panel as a user would."""
     main = FreeCADGui.getMainWindow()
     for dock in main.findChildren(QtWidgets.QDockWidget):
         if dock.objectName() == "Combo View":
@@ -49,13 +49,13 @@ def part(document, text="sphere(r = 12) & box(40, 40, 16)", voxel=1.0):
 
 
 def seen(kind, words=None):
-    """The widgets of a class that are seen; with that text, where one is given."""
+    """Returns the visible widgets of a class, with that text if one is given."""
     return [w for w in FreeCADGui.getMainWindow().findChildren(kind)
             if w.isVisible() and (words is None or w.text() == words)]
 
 
 def row(name):
-    """The editor beside a label of the panel."""
+    """Returns the editor next to a label of the panel."""
     [label] = seen(QtWidgets.QLabel, name)
     form = label.parent().layout()
     place, role = form.getWidgetPosition(label)
@@ -84,7 +84,7 @@ def click(words):
 
 
 def coloured(picture, colour):
-    """How many pixels of the 3D view are about of a colour."""
+    """Returns the number of pixels of the 3D view near a colour."""
     picture = picture.convertToFormat(picture.Format_RGB32)
     pixels = np.frombuffer(picture.constBits(),
                            np.uint8).reshape(picture.height(), -1, 4)[150:, 450 : picture.width(), 2::-1].astype(int)
@@ -166,7 +166,7 @@ def test_what_is_wrong_is_said_beside_the_setting(document):
     window.shot("cam_wrong_value")
     assert "stepdown" not in setup.Operations[0].Proxy.given(setup.Operations[0])
     type_into("Stepdown", "")
-    # What only the kernel can know, too.
+    # Errors of the kernel are reported, too.
     operation = setup.Operations[0]
     operation.Plane, operation.Beta = "view", 30
     click("Plan")
@@ -221,7 +221,7 @@ def test_the_window_answers_while_a_plan_is_made_and_stop_ends_it(document):
     setup.Operations[0].Cell = 0.01
     click("Plan")
     beats = []
-    while len(beats) < 8 and min(beats, default=1) >= 0.1:  # until the machine has nothing else to do for a moment
+    while len(beats) < 8 and min(beats, default=1) >= 0.1:  # until the machine is idle for a moment
         with Heartbeat() as beat:
             live(0.4)
         beats.append(beat.longest)

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: machine programs shown, opened again, and given to FreeCAD's own Path jobs."""
+"""Runs inside FreeCAD's window: machine programs are shown, reopened, and passed to FreeCAD's Path jobs."""
 
 import FreeCAD
 import FreeCADGui

@@ -29,7 +29,7 @@ def frep(document, text, voxel):
 
 
 def count(picture, good):
-    """Of the left lower corner of the 3D view, where the legend is."""
+    """Returns the number of matching pixels in the lower left corner of the 3D view, with the legend."""
     view = legend.view_widget()
     corner = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, view.height()))
     return sum(good(picture.pixelColor(x, y)) for y in range(corner.y() - 220, corner.y() - 10, 2)
@@ -100,7 +100,7 @@ def test_deviations_are_those_that_were_planted():
     assert np.abs(off + 0.3).max() < 0.04 and nice_reach(off) == 0.5
     off = deviations(fieldfab.Solid(fieldfab.parse("box(20, 20, 20)")), mesh.vertices, mesh.triangles)
     assert np.abs(off).max() < 1e-5
-    # Values that are no distances: ten times too steep.
+    # The values are not distances: their slope is 10.
     steep = fieldfab.Solid(fieldfab.parse("10 * sphere(r = 10.3)"))
     assert np.abs(deviations(steep, ball.vertices, ball.triangles) + 0.3).max() < 0.04
     assert (colours(np.array([-1, 1]))[0][2] > 0.7) and (colours(np.array([-1, 1]))[1][0] > 0.7)

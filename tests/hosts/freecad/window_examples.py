@@ -27,7 +27,7 @@ def test_every_example_has_a_command_and_a_picture():
     for path in FILES:
         assert os.path.getsize(path) < 450_000
         with zipfile.ZipFile(path) as held:
-            assert held.namelist()[0] == "Document.xml"  # as FreeCAD's start page asks for
+            assert held.namelist()[0] == "Document.xml"  # required by FreeCAD's start page
             picture = QtGui.QImage.fromData(held.read("thumbnails/Thumbnail.png"))
         assert (picture.width() == 256
                 and len({picture.pixel(x, y) for x in range(0, 256, 8) for y in range(0, 256, 8)}) > 40)
@@ -50,7 +50,7 @@ def test_it_opens_as_a_new_document_with_its_meshes_and_recomputes(name):
         for obj in document.Objects:
             obj.touch()
             if hasattr(obj, "MadeFrom"):
-                obj.MadeFrom = ""  # so that it is truly made again
+                obj.MadeFrom = ""  # forces a recomputation
         document.recompute()
         assert [obj.Label for obj in document.Objects if not obj.isValid()] == []
         assert {obj.Name: obj.Mesh.CountFacets for obj in document.Objects if hasattr(obj, "Mesh")} == meshes

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: solids as plain meshes and as Part shapes, with their places, colours and
+"""Runs inside FreeCAD's window: solids as plain meshes and as Part shapes, with their placements, colours and
 visibility."""
 
 import FreeCAD

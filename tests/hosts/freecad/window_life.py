@@ -1,5 +1,5 @@
-"""Runs inside FreeCAD's window: every kind of object, when its document is saved, closed, opened, undone and redone,
-and when it is copied and deleted. FreeCAD's report view stays empty."""
+"""Runs inside FreeCAD's window: every kind of object through save, close, open, undo, redo, copy and deletion.
+FreeCAD's report view stays empty."""
 
 import pathlib
 
@@ -100,7 +100,7 @@ KINDS = {
 
 @pytest.fixture
 def report():
-    """A function that gives what FreeCAD's report view has been told since it was asked last."""
+    """Returns a function that returns new messages of FreeCAD's report view since its last call."""
     FreeCADGui.activateWorkbench("FieldfabWorkbench")
     dock = FreeCADGui.getMainWindow().findChild(QtWidgets.QDockWidget, "Report view")
     text = dock.findChild(QtWidgets.QTextEdit)
@@ -127,7 +127,7 @@ def test_every_kind_is_here():
 
 
 def figures(document):
-    """What tells whether objects are what they were."""
+    """Returns figures for the comparison of a document's objects."""
     def plain(obj, name):
         value = getattr(obj, name)
         if hasattr(value, "CountFacets"):
@@ -145,7 +145,7 @@ def figures(document):
 
 
 def same(document, first):
-    """Whether all objects are what they were; what differs is printed."""
+    """Whether all objects are unchanged; prints differences."""
     now = figures(document)
     different = [(obj, name, now[obj].get(name), value) for obj in now if obj in first
                  for name, value in first[obj].items() if now[obj].get(name) != value]
@@ -211,7 +211,7 @@ def test_a_life_without_a_line_in_the_report_view(kind, report, tmp_path):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(document.getObject(name))
     users = [each for each in document.getObject(name).InList]
-    if not users:  # FreeCAD asks about the others
+    if not users:  # for others FreeCAD asks
         FreeCADGui.runCommand("Std_Delete")
         wait(lambda: document.getObject(name) is None, what="it to go")
         document.recompute()

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: what is wrong, and what was stopped, is a line for the user."""
+"""Runs inside FreeCAD's window: an error and a cancellation each give the user one line."""
 
 import FreeCAD
 import FreeCADGui
@@ -65,7 +65,7 @@ def test_a_mistake_is_a_line(mistake, report):  # noqa: F811
     obj = MISTAKES[mistake](document)
     document.recompute()
     assert not obj.isValid()
-    # FreeCAD's own
+    # without FreeCAD's own line
     said = [line for line in report().splitlines() if "Recompute failed! Please check report view." not in line]
     assert len(said) == 1 and "Fieldfab: " in said[0] and obj.getStatusString().splitlines()[0] in said[0], said
 
@@ -84,7 +84,7 @@ def test_a_cancel_is_a_line(report, monkeypatch):  # noqa: F811
 
 
 def test_a_python_error_of_ours_keeps_its_traceback(report):  # noqa: F811
-    """Whoever mends it needs that."""
+    """The traceback is needed to fix it."""
     document = FreeCAD.newDocument()
     obj = add(document, frep_solid.FrepSolid)
     obj.Proxy.mesh_settings = lambda obj: 1 / 0
@@ -98,7 +98,7 @@ def dialogs():
 
 
 def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):  # noqa: F811
-    """By File > Import, as the user does."""
+    """By File > Import."""
     design = tmp_path / "wrong.scad"
     design.write_text("cube([1, 2, 3]);\nsphere(r = ;\n")
     FreeCAD.newDocument()

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: a new f-rep solid, typed from the first moment on."""
+"""Runs inside FreeCAD's window: a new f-rep solid accepts typing at once."""
 
 import time
 
@@ -35,12 +35,12 @@ def test_the_editor_is_open_at_once_and_no_typing_is_lost(document, panels, monk
     assert solid.isValid() and abs(solid.Volume.Value - 1436.8) < 15 and document.UndoCount == 1
 
 
-SECONDS = 5  # of the slow meshes
+SECONDS = 5  # duration of the slow meshes
 
 
 @pytest.fixture
 def slow(monkeypatch):
-    """Each solid's own mesh takes some seconds, most of them at 95 percent."""
+    """Each solid's mesh takes SECONDS, most of them at 95 percent of the progress."""
     real = sources.Source.mesh
 
     def mesh(self, progress=None, **settings):
@@ -66,7 +66,7 @@ def click_on(button):
 
 
 def pressed(panels):  # noqa: F811
-    """The panel of a new solid, its OK pressed."""
+    """Returns the panel of a new solid after OK was pressed."""
     FreeCADGui.runCommand("Fieldfab_NewFrepSolid")
     live(0.3)
     panel = panels[-1]
@@ -83,12 +83,12 @@ def test_ok_computes_beside_the_window(document, panels, slow):  # noqa: F811
     assert not panel.text.isEnabled() and not dialogs() and QtWidgets.QApplication.activeModalWidget() is None
     with Heartbeat() as beat:
         live(1)
-    # A window that waited would be silent until the mesh is there.
+    # A blocked window would not respond until the mesh is finished.
     assert beat.longest < SECONDS / 5 and len(beat.gaps) > 5, beat.gaps[-5:]
     direction = FreeCADGui.ActiveDocument.ActiveView.getViewDirection()
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
     wait(lambda: FreeCADGui.ActiveDocument.ActiveView.getViewDirection() != direction, 5, "the view to turn")
-    click_on(Button.Ok)  # again: nothing
+    click_on(Button.Ok)  # a second click has no effect
     wait(lambda: panel.bar_of_making.maximum() == 0 and "sharpening edges" in panel.message.text(), 60,
          "the bar to run to and fro at 95 percent")
     assert panel.making is not None

@@ -48,7 +48,7 @@ def design(tmp_path):
 
 @pytest.fixture
 def opened(monkeypatch):
-    """The panels that were opened, newest last."""
+    """Collects the opened panels, newest last."""
     made, real = [], property_panel.PropertyPanel.__init__
     monkeypatch.setattr(property_panel.PropertyPanel, "__init__",
                         lambda self, obj: made.append(self) or real(self, obj))
@@ -60,12 +60,12 @@ def named(document, label):
 
 
 def items(tree, wanted):
-    """The items of FreeCAD's tree with a text."""
+    """Returns the items of FreeCAD's tree with a given text."""
     return tree.findItems(wanted, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)
 
 
 def test_file_import(document, design, opened):
-    """The dialog that the user sees: the file's name, our kind of file, Open."""
+    """Uses the file dialog: file name, file type, Open."""
 
     def choose():
         dialog = QtWidgets.QApplication.activeModalWidget()
@@ -93,7 +93,7 @@ def test_file_import(document, design, opened):
     reference, _, _ = openscad_designs.theirs(design, design.with_suffix(".off"))
     assert volume == pytest.approx(openscad_designs.volume(*openscad_designs.read_off(reference)), rel=2e-3)
 
-    # The tree of the window, opened to the hull's cylinders; one of them edited in its panel.
+    # The window's tree, expanded to the hull's cylinders; one of them is edited in its panel.
     trees = FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
     wait(lambda: any(items(tree, "lever") for tree in trees), what="the tree, which FreeCAD fills when it has time")
     tree = next(tree for tree in trees if items(tree, "lever"))
@@ -118,7 +118,7 @@ def test_file_import(document, design, opened):
     press(Button.Ok)
     assert end.TopRadius.Value == end.BottomRadius.Value == 18 and end.Mesh.CountFacets == 0
     assert root.isValid() and root.Volume.Value > volume + 8 * math.pi * (18**2 - 14**2) * 0.6
-    FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()  # isometric would light walls and floors alike
+    FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()  # isometric: walls as bright as floors
     FreeCADGui.SendMsgToActiveView("ViewFit")
     FreeCADGui.Selection.clearSelection()
     hidden = [dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget)
@@ -160,8 +160,8 @@ CORNER = ("difference() { cube(size = [10, 10, 10]); "
 
 
 def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
-    """The preview shows a coarse contour first, since nobody knows how long faces take. From then on it shows the faces
-    at once, if they were quick."""
+    """The preview first shows a coarse contour, since the time for exact faces is unknown. Later it shows the faces at
+    once, if they were quick."""
     (tmp_path / "corner.csg").write_text(CORNER)
     root = files.insert(str(tmp_path / "corner.csg"), document.Name)
     assert root.Triangles == 24 and root.Volume.Value == 875
@@ -194,7 +194,7 @@ def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
 
 
 def test_faces_can_be_cancelled(document, tmp_path):
-    """They are made beside the window, and it stops between two joins."""
+    """Exact faces are computed in the background; cancellation takes effect between two joins."""
     (tmp_path / "corner.csg").write_text(CORNER)
     root = files.insert(str(tmp_path / "corner.csg"), document.Name)
     block = root.Sources[0]
@@ -236,7 +236,7 @@ def test_text_has_a_panel(document, tmp_path, opened):
 
 @pytest.mark.parametrize("stage", ["Reading", "slow"])
 def test_a_cancelled_import_leaves_the_document_as_it_was(document, tmp_path, stage):
-    """Cancel of the progress dialog, while OpenSCAD runs its program, and while the solid is made."""
+    """Cancel in the progress dialog, while OpenSCAD runs and while the solid is computed."""
     pressed, design = [], tmp_path / "slow.scad"
     loop = "x = [for (i = [0 : 9999]) [for (k = [0 : 4999]) i * k][0]];" if stage == "Reading" else ""
     design.write_text(loop + "for (i = [0 : 99]) translate([i % 9, floor(i / 9), 0.1]) sphere($fn = 40, r = 3);")
@@ -258,7 +258,7 @@ def test_a_cancelled_import_leaves_the_document_as_it_was(document, tmp_path, st
 
 
 def test_work_is_beside_the_window(document, monkeypatch):
-    """OpenSCAD and the kernel run on another thread."""
+    """OpenSCAD and the kernel run in a background thread."""
     ran = []
     monkeypatch.setattr(work, "run", lambda function, title, real=work.run: ran.append(title) or real(function, title))
     files.insert(str(EXAMPLES / "Old" / "example006.scad"), document.Name)
@@ -266,7 +266,7 @@ def test_work_is_beside_the_window(document, monkeypatch):
 
 
 def test_a_tree_of_three_hundred_parts(document, tmp_path):
-    """As many as there may be: made, and changed, while nobody waits long."""
+    """The maximal number of parts is created and changed in short time."""
     row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], "
                     f"[0, 0, 0, 1]]) {{ cube(size = [1, 1, {1 + i / 100}]); }}" for i in range(290))
     (tmp_path / "row.csg").write_text(row)

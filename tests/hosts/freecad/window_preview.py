@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: solids seen while they are edited, how soon, and how the window answers meanwhile."""
+"""Runs inside FreeCAD's window: previews during edits, their latency, and the responsiveness of the window."""
 
 import pathlib
 import time
@@ -20,7 +20,7 @@ MTM = pathlib.Path(__file__).resolve().parents[2] / "data" / "frep" / "mtm_az" /
 
 
 class Busy(Heartbeat):
-    """Measures, too, how long the window's own thread was at work between two beats."""
+    """Also measures the working time of the window's thread between two beats."""
 
     def __enter__(self):
         self.busiest, self._worked = 0.0, time.thread_time()
@@ -59,7 +59,7 @@ def test_cancel_gives_the_object_its_look_back(document, panels):
     edit(solid)
     panels[-1].text.setPlainText("sphere(r = 3)")
     shown(panels[-1].preview, "coarse", "finer", "final", "detail")
-    FreeCADGui.Control.closeDialog()  # not by its buttons
+    FreeCADGui.Control.closeDialog()  # without its buttons
     live(0.5)
     assert silhouette("look_once_more") == pytest.approx(before, rel=0.02)
 
@@ -75,7 +75,7 @@ def test_a_document_may_be_closed_meanwhile(panels):
 
 
 def test_the_first_picture_comes_within_100_ms(document, panels):
-    """From a change to its picture; tried until it is seen, since the processor is shared with whatever else runs."""
+    """Time from a change to its picture; repeated until it succeeds, since other programs share the processor."""
     for name, text, other in (("mtm_az", MTM.read_text(), MTM.read_text().replace("f-4.5", "f-4.4")),
                               ("default", frep_solid.DEFAULT, frep_solid.DEFAULT.replace("2.4", "2.5"))):
         solid = frep(document, "box(10, 10, 2)" if name == "mtm_az" else "box(40, 40, 40)")
@@ -105,8 +105,7 @@ def test_the_window_answers_and_the_newest_wins(document, panels):
         beats.append(beat)
     print("longest beats", [round(1000 * b.longest) for b in beats], "ms, of which busy",
           [round(1000 * b.busiest) for b in beats], "ms")
-    # The view is drawn by software, on processors that others use, too: these add to the wall clock, so its bound is
-    # wider.
+    # Software rendering on shared processors adds to the wall-clock time, so that its bound is wider.
     assert max(b.busiest for b in beats) < 0.1 and min(b.longest for b in beats) < 0.3
     row.box.setValue(1.5)
     panels[-1].voxel.setValue(1.5)
@@ -159,8 +158,8 @@ def test_combining_and_modifying_is_seen_at_once(document, panels):
 
 
 def test_a_million_triangles_are_seen_soon(document):
-    """From the mesh to the object and its first picture. The bound is generous: the view is drawn by software, on
-    shared processors."""
+    """Time from the mesh to the object and its first picture. The bound is generous: software rendering on shared
+    processors."""
     solid = frep(document, "sphere(r = 5)")
     fieldfab = solids.kernel.load()
     mesh = fieldfab.mesh(fieldfab.parse("sphere(r = 50)"), voxel=0.42, max_error=0, features=False)

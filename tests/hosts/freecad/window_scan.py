@@ -24,7 +24,7 @@ Button = QtWidgets.QDialogButtonBox
 
 @pytest.fixture
 def opened(monkeypatch):
-    """The scan panels that were opened, newest last."""
+    """Collects the opened scan panels, newest last."""
     made = []
     real = scan_panel.ScanPanel.__init__
     monkeypatch.setattr(scan_panel.ScanPanel, "__init__", lambda self, obj: made.append(self) or real(self, obj))
@@ -32,7 +32,7 @@ def opened(monkeypatch):
 
 
 def brought(opened, document, path):
-    """The panel of an imported file, with its picture."""
+    """Returns the panel of an imported file, after its picture is shown."""
     files.insert(str(path), document.Name)
     wait(lambda: opened and opened[-1].overview is not None and opened[-1].work.idle(), what="the overview")
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
@@ -42,7 +42,7 @@ def brought(opened, document, path):
 
 
 def drag(histogram, share):
-    """Moves the mouse, pressed, to a place of the histogram."""
+    """Drags the mouse to a position of the histogram, 0 to 1."""
     at = QtCore.QPointF(share * histogram.width(), histogram.height() / 2)
     for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonRelease):
         QtWidgets.QApplication.sendEvent(histogram, QtGui.QMouseEvent(
@@ -50,7 +50,7 @@ def drag(histogram, share):
 
 
 def pixels(picture, colour, reach=40):
-    """How many pixels are near a colour: every second one of every second row."""
+    """Returns the number of pixels near a colour, of every second pixel in every second row."""
     return sum(abs(c.red() - colour[0]) + abs(c.green() - colour[1]) + abs(c.blue() - colour[2]) < reach
                for y in range(0, picture.height(), 2) for x in range(0, picture.width(), 2)
                for c in [picture.pixelColor(x, y)])
@@ -97,8 +97,7 @@ def test_the_window_answers_while_a_scan_is_read_and_its_threshold_dragged(docum
         while not ended:
             overview.surface(scans.Cut())
 
-    # The time to draw the view, by software here, while the processors are as busy: no thread can take that off the
-    # window.
+    # Time of software rendering of the view under the same load; it cannot move to another thread.
     other = threading.Thread(target=busy)
     other.start()
     with Heartbeat() as drawing:
@@ -108,7 +107,7 @@ def test_the_window_answers_while_a_scan_is_read_and_its_threshold_dragged(docum
     ended.append(True)
     other.join()
     silence = {"reading": [], "dragging": []}
-    for _ in range(3):  # other programs may hold the processor once
+    for _ in range(3):  # other programs may occupy the processor at times
         panel._read_as = None
         with Heartbeat() as beat:
             panel._changed_file()
@@ -141,7 +140,7 @@ def test_cancel_takes_it_back(document, opened):
 
 
 def drop(*paths):
-    """What the window sees when files are dropped on it."""
+    """Sends the window the events of a drop of files."""
     data = QtCore.QMimeData()
     data.setUrls([QtCore.QUrl.fromLocalFile(str(path)) for path in paths])
     at = QtCore.QPoint(700, 400)

@@ -31,7 +31,7 @@ def whole_again(document):  # noqa: F811
 
 
 def cut(document):  # noqa: F811
-    """By the command."""
+    """Adds a section plane by the command."""
     assert COMMANDS["Fieldfab_Section"].IsActive()
     FreeCADGui.runCommand("Fieldfab_Section")
     live(0.3)
@@ -39,7 +39,7 @@ def cut(document):  # noqa: F811
 
 
 def cap(document, name):  # noqa: F811
-    """Which pixels of the view have the colour of cut faces."""
+    """Returns a mask of the view's pixels in the colour of cut faces."""
     picture, view = window.shot(name), PartView(document)
     at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
     picture = picture.copy(at.x(), at.y(), view.widget().width(), view.widget().height()).convertToFormat(
@@ -50,17 +50,17 @@ def cap(document, name):  # noqa: F811
 
 
 def share(pixels):
-    """Of the box about them that they fill."""
+    """Returns the fraction of their bounding box that the pixels fill."""
     rows, columns = np.nonzero(pixels)
     return len(rows) / ((np.ptp(rows) + 1) * (np.ptp(columns) + 1))
 
 
 def drag_handle(document, by):  # noqa: F811
-    """Moves the handle so many mm along the normal, with the mouse."""
+    """Drags the handle with the mouse by `by` mm along the normal."""
     plane, view = section.section_of(document), PartView(document)
     widget = view.widget()
     begin, end = (view.pixel_of(plane.middle + plane.normal * (plane.offset + way)) for way in (0, by))
-    scale = view.view.getSize()[0] / widget.width()  # pixels of the screen in one of Qt's
+    scale = view.view.getSize()[0] / widget.width()  # screen pixels per Qt pixel
     begin, end = (QtCore.QPoint(round(x / scale), round(widget.height() - y / scale)) for x, y in (begin, end))
     pointer.drag(widget, begin, end)
     live(0.3)

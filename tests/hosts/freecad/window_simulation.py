@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: playing a simulation, its events."""
+"""Runs inside FreeCAD's window: playback of a simulation, and its events."""
 
 import math
 import time
@@ -21,13 +21,13 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
     obj, playback = panel.obj, panel.playback
     assert obj.isValid() and obj.Contacts == 1 and obj.Gouges >= 1, obj.Verdict
     at_end = view_pixels(panel, "simulation_deviation")
-    # The gouge is red, the legend is there, the tool stands above.
+    # The gouge is red, the legend is visible, the tool is above.
     red = (at_end[..., 0] > 120) & (at_end[..., 0] > at_end[..., 1] + 60) & (at_end[..., 0] > at_end[..., 2] + 60)
     assert red.sum() > 300 and playback.legend.isVisible()
     steel = [playback.view.pixel_of(np.array(playback._moment["tip"]) + [0, 0, h]) for h in (0, 40)]
     assert abs(steel[0][0] - steel[1][0]) < 2 < steel[1][1] - steel[0][1]
 
-    # Without the tool the picture differs where it was.
+    # Without the tool the picture differs at its position.
     playback.see_tool.click()
     playback.see_holder.click()
     live(0.3)
@@ -38,7 +38,7 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
     playback.see_tool.click()
     playback.see_holder.click()
 
-    # The beginning: an uncut block, other pictures while it plays, numbers and lines that move on.
+    # At the start the block is uncut; pictures, numbers and lines change during playback.
     playback.buttons["first"].click()
     wait(lambda: playback.player.idle)
     begin = view_pixels(panel, "simulation_begin")
@@ -60,7 +60,7 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
     live(0.2)
     middle = view_pixels(panel, "simulation_middle")
     assert 4 < playback.program.line() < 28 and np.abs(middle - begin).max(axis=2).mean() > 0.5
-    # Of its own time, since other work may have the machine; 20 frames a second leave 50 ms.
+    # In processor time of the thread, since the machine is shared; 20 pictures per second allow 50 ms each.
     assert rate > 2 and worked < 0.05 and beat.longest < 1
     press(Button.Ok)
     assert (document.UndoCount == steps + 1 and not FreeCADGui.Control.activeDialog() and obj.ViewObject.Visibility
@@ -82,7 +82,7 @@ def test_events_lines_and_clicks_find_each_other(document, opened, tmp_path):
     assert math.dist(playback.view.pixel_of(place), (width / 2, height / 2)) < 3, "it is in the middle"
     assert math.dist(playback._moment["tip"], (18, 0, -2)) < 1e-3 and playback.scene.mark.whichChild.getValue() == 0
 
-    # A gouge is seen where the deviations are.
+    # Deviations show the gouge.
     deep = events.findItems(str(DEEP_LINE), QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 1)
     events.itemClicked.emit(deep[0], 0)
     wait(lambda: playback.player.idle)
@@ -98,14 +98,14 @@ def test_events_lines_and_clicks_find_each_other(document, opened, tmp_path):
     live(0.1)
     assert math.dist(playback._moment["tip"], (12, -12, -3)) < 1e-3 and playback.line.value() == 7
 
-    # A click on the floor of the pocket: the row that cut it.
+    # A click on the floor of the pocket selects the row that cut it.
     playback.buttons["last"].click()
     wait(lambda: playback.player.idle)
     live(0.2)
     for place, line in (((-4, -10, -3), 7), ((-8, 8.5, -3), PROGRAM.split("\n").index("G1 Y8 F900") + 3)):
         x, y = playback.view.pixel_of(place)
         widget = playback.view.widget().viewport()
-        scale = playback.view.view.getSize()[0] / widget.width()  # pixels of the screen in one of Qt's
+        scale = playback.view.view.getSize()[0] / widget.width()  # screen pixels per Qt pixel
         at = QtCore.QPoint(round(x / scale), round(widget.height() - y / scale))
         for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
             buttons = QtCore.Qt.LeftButton if kind == QtCore.QEvent.MouseButtonPress else QtCore.Qt.NoButton
@@ -132,7 +132,7 @@ def test_five_axes_are_shown_turning(document, opened, tmp_path):
     playback = panel.playback
     wait(lambda: playback.shown > 0 and playback.player.idle)
     assert list(playback.axes) == list(panel.run.simulation.axes) and len(playback.axes) == 5
-    # Somewhere where the tool leans.
+    # A time with an inclined tool.
     times = np.linspace(0, playback.player.length, 200)
     leaning = [t for t in times if playback.player.at(t)["axis"][2] < 0.9]
     playback.go_to(leaning[len(leaning) // 2])
@@ -142,6 +142,6 @@ def test_five_axes_are_shown_turning(document, opened, tmp_path):
     live(0.3)
     turned = view_pixels(panel, "simulation_five_axes_turned")
     assert np.abs(still - turned).max(axis=2).mean() > 1
-    # In the machine the tool stands upright.
+    # In machine coordinates the tool is vertical.
     assert playback._matrix()[:3, :3] @ playback._moment["axis"] == pytest.approx([0, 0, 1], abs=1e-6)
     press(Button.Cancel)

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: what the panel of a simulation writes."""
+"""Runs inside FreeCAD's window: exports of a simulation's panel."""
 
 from simulating import Button, document, opened, simulated  # noqa: F401
 from window import press, wait

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: simulations of planned programs, what is seen with them, and what becomes of them."""
+"""Runs inside FreeCAD's window: simulations of planned programs, their visible objects, and changes of set-ups."""
 
 import FreeCADGui
 import numpy as np
@@ -34,7 +34,7 @@ def planned(document):  # noqa: F811
 
 
 def simulated(opened, cell=0.4):  # noqa: F811
-    """By the command, with nothing selected, and the panel's button."""
+    """Adds a simulation by the command without a selection, and runs it by the panel's button."""
     FreeCADGui.runCommand("Fieldfab_SimulateProgram")
     live(0.3)
     panel = opened[-1]
@@ -133,7 +133,7 @@ def test_deleting_a_set_up_and_undo_brings_its_program_back(document, planned): 
     FreeCADGui.Selection.addSelection(planned.Setup)
 
     def agree():
-        if box := QtWidgets.QApplication.activeModalWidget():  # the program is made from it
+        if box := QtWidgets.QApplication.activeModalWidget():  # FreeCAD asks, since the program depends on the set-up
             box.button(QtWidgets.QMessageBox.Yes).click()
 
     QtCore.QTimer.singleShot(500, agree)

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: what a simulation leaves, and how its work is stopped."""
+"""Runs inside FreeCAD's window: results of a simulation, and its cancellation."""
 
 import math
 import time
@@ -67,7 +67,7 @@ def test_stop_ends_the_work_and_mistakes_are_told(document, opened, tmp_path):
     assert "choose a program" in panel.message.text()
     form.program.line.setText(str(path))
     form.program.line.editingFinished.emit()
-    # The box around the program.
+    # The bounding box of the program.
     assert [box.value() for box in form.lower + form.upper] == pytest.approx([-17, -17, -8, 16.9, 16.8, 0])
     form.tools.item(0, 2).setText("wide")
     button("Simulate").click()
@@ -130,7 +130,7 @@ def test_events_are_grouped_sorted_by_any_column_and_all_there(document, opened)
         pointer.click(head.viewport(), at)
         group = next(events.topLevelItem(i) for i in range(2) if events.topLevelItem(i).childCount())
         forth = [row[0] for row in rows(group)]
-        live(0.6)  # two clicks, not a double one
+        live(0.6)  # two clicks, not a double click
         pointer.click(head.viewport(), at)
         group = next(events.topLevelItem(i) for i in range(2) if events.topLevelItem(i).childCount())
         back = [row[0] for row in rows(group)]

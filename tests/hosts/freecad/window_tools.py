@@ -17,7 +17,7 @@ def new_setup(document):
 
 
 def shown(panel):
-    """The name of the first tool in the table, in the tree, and in the operation."""
+    """Returns the name of the first tool in the table, in the tree and in the operation."""
     tree = FreeCADGui.getMainWindow().findChild(QtWidgets.QTreeWidget)
     tool = panel.obj.Tools[0]
     [item] = [item for item in tree.findItems("*", window.QtCore.Qt.MatchWildcard | window.QtCore.Qt.MatchRecursive)

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: follows docs/tutorial.md step by step, types what its boxes say, and takes its
+"""Runs inside FreeCAD's window: follows docs/tutorial.md step by step, types the contents of its boxes, and takes its
 pictures."""
 
 import pathlib
@@ -21,8 +21,8 @@ WIDTH = 430  # of the panel, pixels
 
 
 def step(number):
-    """Contents of the boxes under a heading of the tutorial, in order: a formula's text, the columns of a tool, or
-    names and values."""
+    """Returns the boxes under a heading of the tutorial in order: a formula's text, the columns of a tool, or names and
+    values."""
     [words] = re.findall(rf"^## {number}\. .*?(?=^## |\Z)", TUTORIAL, re.M | re.S)
     boxes = re.findall(r"^```(\w+)\n(.*?)^```", words, re.M | re.S)
     return [text if kind == "frep" else text.strip().split(", ") if kind == "tool"
@@ -31,7 +31,7 @@ def step(number):
 
 
 class Desk:
-    """The window, and what its user does there."""
+    """Actions of a user in the window."""
 
     def __init__(self, monkeypatch):
         self.monkeypatch, self.panels = monkeypatch, []
@@ -56,7 +56,7 @@ class Desk:
         live(0.1)
 
     def command(self, name):
-        """Presses a button of a toolbar; it must be one that can be pressed."""
+        """Presses an enabled button of a toolbar."""
         words = FreeCADGui.Command.get(name).getInfo()["menuText"]
         FreeCADGui.updateGui()
         [action] = {a.text(): a for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar)
@@ -68,7 +68,7 @@ class Desk:
         self.make_room()
 
     def file(self, path, dialog="getOpenFileName"):
-        """What the next file dialog is answered with."""
+        """Sets the answer to the next file dialog."""
         self.monkeypatch.setattr(QtWidgets.QFileDialog, dialog, lambda *_: (str(path), ""))
 
     def make_room(self):
@@ -81,7 +81,7 @@ class Desk:
         live(0.2)
 
     def fill(self, values):
-        """Types values into the rows of the panel that have these names."""
+        """Types values into the panel's rows by name."""
         for name, value in values:
             field = self.field(name)
             boxes = [w for w in [field, *field.findChildren(QtWidgets.QWidget)]
@@ -108,11 +108,11 @@ class Desk:
         elif isinstance(box, (QtWidgets.QDoubleSpinBox, QtWidgets.QSpinBox)):
             assert box.isEnabled()
             box.setValue(type(box.value())(text.split()[0]))
-        else:  # FreeCAD's own, with units
+        else:  # FreeCAD's editor of quantities with units
             box.setProperty("value", FreeCAD.Units.Quantity(text))
 
     def field(self, name):
-        """The editor beside a label that is seen."""
+        """Returns the editor next to a visible label."""
         labels = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel)
                   if w.isVisible() and w.text() == name]
         assert len(labels) == 1, f"{len(labels)} rows {name!r}"
@@ -136,7 +136,7 @@ class Desk:
         live(0.2)
 
     def open(self, title):
-        """Opens one of the boxes of a stack."""
+        """Opens a box of the stacked panels."""
         [button] = [b for b in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolButton)
                     if b.isVisible() and b.isCheckable() and b.text() == title]
         if not button.isChecked():

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: panels where the user's unit scheme is in inches."""
+"""Runs inside FreeCAD's window: panels with a unit scheme in inches."""
 
 import pathlib
 import re
@@ -33,7 +33,7 @@ def inches():
 
 
 def texts(form):
-    """All that is read in a panel, tips included."""
+    """Returns all texts of a panel, including tooltips."""
     for widget in form.findChildren(QtWidgets.QWidget):
         yield widget.toolTip()
         if isinstance(widget, (QtWidgets.QLabel, QtWidgets.QAbstractButton, QtWidgets.QLineEdit)):
@@ -140,7 +140,7 @@ def test_a_simulation_and_its_legend_in_inches(document, opened, tmp_path):  # n
 
 
 def drawn(legend):
-    """The texts of a legend."""
+    """Returns the texts of a legend."""
     class Recorder:
         def __getattr__(self, name):
             return lambda *arguments: found.append(arguments[-1]) if name == "drawText" else None

@@ -99,7 +99,7 @@ def test_the_panel_scrolls_instead_and_what_has_the_focus_takes_the_wheel(docume
     live(0.1)
     click(zero)
     live(0.2)
-    # Chooses what is chosen already.
+    # Chooses the current item again.
     click(zero.view().viewport(), zero.view().visualRect(zero.model().index(0, 0)).center())
     live(0.2)
     turn_wheel(zero, -1)

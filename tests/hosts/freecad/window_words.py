@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: the workbench in German, and FreeCAD's own help on its commands."""
+"""Runs inside FreeCAD's window: the workbench in German, and FreeCAD's What's This help on its commands."""
 
 import FreeCADGui
 import pytest
@@ -115,7 +115,7 @@ def test_the_property_editor_is_german(german):
 
 
 def test_whats_this_is_shown(document):  # noqa: F811
-    """As by Shift+F1 and a click on a tool."""
+    """Same effect as Shift+F1 and a click on a tool."""
     [button] = [bar.widgetForAction(action_of("Fieldfab_Union"))
                 for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar)
                 if bar.widgetForAction(action_of("Fieldfab_Union"))]

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: what the workbench brings besides its objects."""
+"""Runs inside FreeCAD's window: features of the workbench other than its objects."""
 
 import importlib
 import os
@@ -40,7 +40,7 @@ def test_every_command_has_an_icon_a_name_and_help():
 
 
 def kinds(base):
-    """The names of a class and of all that derive from it, in the modules of objects."""
+    """Returns the names of a class and its subclasses in the modules of objects."""
     return {base.__name__, *(name for kind in base.__subclasses__() for name in kinds(kind))}
 
 
@@ -52,7 +52,7 @@ def test_views_and_panels_are_of_classes_that_exist():
 
 
 def test_objects_find_their_view_and_panel_by_their_kind():
-    """By their own class, else by the one that it derives from. A tool or a program has its set-up's panel, else its
+    """By their own class, or else its base class. A tool or a program has its set-up's panel, or else its
     properties."""
     document = FreeCAD.newDocument()
     try:

@@ -39,7 +39,7 @@ try:
     seen["undone_expression"] = solid.Expression
     seen["undone_valid"] = solid.isValid()
 
-    solid.Expression = "-r++qXqYqZf5"  # a prefix math string is welcome too
+    solid.Expression = "-r++qXqYqZf5"  # a prefix math string is accepted, too
     document.recompute()
     seen["math_volume"] = solid.Volume.Value
     solid.AutoBounds = False

@@ -1,5 +1,5 @@
-// The demo's page of static files. It works from a disk as well: browsers load no .glb from there, but they load
-// scripts. So each model is a script, too, which hands the model over as text.
+// The demo's page of static files. It works from a disk as well: browsers load scripts from there, but no .glb files.
+// Each model is therefore also a script that contains the model as text.
 import { readGlb, Scene } from "./scene";
 
 const waiting = new Map<string, (data: string) => void>();
@@ -24,7 +24,7 @@ async function show(figure: HTMLElement): Promise<void> {
     host.tabIndex = 0;
     scene.fit();
     figure.dataset.shown = "yes";
-  } catch (error) {  // without WebGL the picture stays
+  } catch (error) {  // without WebGL the picture remains
     host.querySelector("canvas")?.remove();
     console.warn(String(error));
   }

@@ -1,4 +1,4 @@
-// Elements of the page. Text gets in as text only, never as HTML.
+// Elements of the page. Text is inserted as text only, never as HTML.
 
 export function by<T extends HTMLElement = HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -17,7 +17,7 @@ export function svg(tag: string, attributes: Record<string, string | number> = {
   return made;
 }
 
-/** A number as people write it. */
+/** Returns a number in short decimal notation. */
 export function short(value: number, digits = 4): string {
   return String(Number(value.toPrecision(digits)));
 }
@@ -26,7 +26,7 @@ export function pressed(button: HTMLElement, on: boolean): void {
   button.setAttribute("aria-pressed", String(on));
 }
 
-/** A number with a slider and a box. `changed` is called while it slides, `settled` when it is let go. */
+/** Returns a number input with a slider. `changed` is called during a drag, `settled` at its end. */
 export function slider(name: string, now: number, range: [number, number], hint: string,
     changed: (value: number) => void, settled: () => void): HTMLElement {
   const low = Math.min(range[0], now), high = Math.max(range[1], now, low + 1e-6);

@@ -1,4 +1,4 @@
-// Kinds of nodes: some of our own, one for each function of the shape library, and those that a person saved.
+// Kinds of nodes: built-in ones, one for each function of the shape library, and kinds saved by the user.
 import type { LibraryFunction } from "./server";
 
 export interface NodeKind {
@@ -47,7 +47,7 @@ const OWN: NodeKind[] = [
 
 const SHAPES = new Set(["shape", "a", "b"]);
 
-/** What a number without a default starts at. */
+/** Initial value of a number without a default. */
 const START: Record<string, number> = { angle: 30, whole: 3, number: 5, expression: 5 };
 
 function codeOf(each: LibraryFunction): { code: string; parents: number } {
@@ -56,7 +56,7 @@ function codeOf(each: LibraryFunction): { code: string; parents: number } {
   const numbers = each.parameters.filter((p) => !shapes.includes(p)).map((p) => {
     if (p.kind === "text") return `\${word(${JSON.stringify(p.name)}, "fab")}`;
     const start = p.default ?? START[p.kind] ?? 5;
-    // Lengths of the table are units: ten of them are a shape that one sees.
+    // Lengths of the table are 1 mm; ten times that gives a shape of visible size.
     const scaled = p.kind === "expression" && moved && start !== 0 ? 10 * start : start;
     const [low, high] = p.kind === "angle" ? [-180, 180] : p.kind === "whole" ? [1, Math.max(40, 2 * scaled)]
       : scaled === 0 ? [-20, 20] : [0, 4 * scaled];
@@ -87,7 +87,7 @@ export function saveKind(kind: NodeKind): void {
   localStorage.setItem(saved, JSON.stringify([...ownKinds().filter((each) => each.name !== kind.name), kind]));
 }
 
-/** All kinds, from the shape library's own table. */
+/** Returns all kinds, from the shape library's table. */
 export function kindsOf(functions: LibraryFunction[]): NodeKind[] {
   const skipped = new Set(["numbers", "Circuit boards (flat copper)"]);
   const unfit = new Set(["outline", "solid", "difference"]);

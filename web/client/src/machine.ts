@@ -1,5 +1,5 @@
-// The Machine view: the workflow as stacked panels (Keeter 6), made from fieldfab.cam's own tables. Plans and
-// simulations are shown in 3D.
+// The Machine view: the workflow as stacked panels (Keeter 6), made from fieldfab.cam's tables. Plans and simulations
+// are shown in 3D.
 import { by, element, short } from "./elements";
 import { ask, post, Refusal } from "./server";
 import type { Playback } from "./playback";
@@ -51,7 +51,7 @@ const ZERO = choice("zero",
   "where the program's zero is: as the model has it, or at the corner or the centre of its top",
   ["model", "corner", "centre"]);
 
-/** A job to begin with. `sampled`: of a scan or a mesh, which a lattice as fine as its samples does justice. */
+/** Returns a default job. `sampled`: the model is a scan or a mesh; a lattice as fine as its samples suffices. */
 function fresh(flat: boolean, sampled: boolean): JobText {
   const lattice: Values = sampled ? { cell: 0.5, surface_tolerance: 0.1, tolerance: 0.1 } : {};
   return {
@@ -92,7 +92,7 @@ export class MachineView {
     };
   }
 
-  /** Shows the job of a document, or one to begin with. */
+  /** Shows the job of a document, or a default one. */
   async open(document: string, model: { text: string; language: string } | null): Promise<void> {
     this.model = model;
     const name = document.replace(/\.\w+$/, "") + ".job";
@@ -190,7 +190,7 @@ export class MachineView {
     return element("label", { className: "setting" }, element("span", {}, label), select, element("small"));
   }
 
-  /** A list of tables, each a panel of its own, that can be added to, ordered and shortened. */
+  /** Returns a list of tables, each a panel. Panels can be added, moved and removed. */
   private list(title: string, items: Values[], made: () => Values,
       panel: (item: Values, i: number) => HTMLElement): HTMLElement {
     const add = element("button", { ariaLabel: `Add to ${title.toLowerCase()}` }, "+");
@@ -318,7 +318,7 @@ export class MachineView {
         link(told.program, "Program", stem + told.program.replace(/^program/, "")), link("sheet.html", "Set-up sheet"),
         ...(simulated ? [link("report.html", "Report")] : []), link("job.toml", "Job file", `${stem}.toml`)));
     try {
-      const { Playback } = await import("./playback");  // three.js is loaded when it is first needed
+      const { Playback } = await import("./playback");  // loads three.js on first use
       by("stage").hidden = false;
       this.playback ??= new Playback(by("stage"));
       await this.playback.show(address, told.stock, simulated);

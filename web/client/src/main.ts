@@ -1,4 +1,4 @@
-// The page: one document, its views, and what the buttons do.
+// The page: one document, its views, and the actions of the buttons.
 import { by, element, pressed } from "./elements";
 import { MachineView } from "./machine";
 import { Picture } from "./picture";
@@ -62,7 +62,7 @@ text.onChange = (now) => { store.change(now); show(now); };
 sheet.onText = show;
 sheet.onChange = (document) => store.change(document);
 
-/** The panels of the machine in place of the document. */
+/** Shows the machine's panels in place of the document, or hides them. */
 function showMachine(on: boolean): void {
   pressed(by("machine"), on);
   by("left").classList.toggle("machining", on);
@@ -117,7 +117,7 @@ function display(name: string, content: string): void {
     try {
       sheet.open(content);
     } catch (error) {
-      kind = "text";  // it is shown as it is, and not written
+      kind = "text";  // shown unchanged, never written
       by("text-view").hidden = false;
       by("sheet-view").hidden = true;
       store.name = "";
@@ -150,7 +150,7 @@ async function create(wanted: string, content: string): Promise<void> {
   by<HTMLDialogElement>("gallery").close();
 }
 
-// The gallery: documents and examples, each with a picture that is made when it comes into sight.
+// The gallery: documents and examples. A picture is rendered when its entry becomes visible.
 
 async function modelOf(address: string, name: string): Promise<string> {
   const content = await (await ask(address)).text();
@@ -163,7 +163,7 @@ const seen = new IntersectionObserver((entries) => {
     if (!isIntersecting) continue;
     seen.unobserve(target);
     const { address, name } = (target as HTMLElement).dataset, holder = target.querySelector(".thumb")!;
-    drawing = drawing.then(async () => {  // one after the other: the model that is open comes first
+    drawing = drawing.then(async () => {  // one at a time: the open model has priority
       if (!by<HTMLDialogElement>("gallery").open) return;
       const model = await modelOf(address!, name!);
       if (!model.trim()) return;
@@ -172,7 +172,7 @@ const seen = new IntersectionObserver((entries) => {
         { method: "POST", body: JSON.stringify({ text: model, language, width: 240, height: 160, smooth: true }) });
       const flat = JSON.parse(answer.headers.get("Fieldfab-Picture")!).flat;
       const image = element("img", { src: URL.createObjectURL(await answer.blob()), alt: "" });
-      if (flat) {  // white within, black without: a mask
+      if (flat) {  // white inside, black outside: a mask
         const shape = element("span", { className: "mask" });
         shape.style.maskImage = `url("${image.src}")`;
         holder.replaceChildren(shape);
@@ -242,7 +242,7 @@ by<HTMLInputElement>("scan-file").onchange = async () => {
   }
 };
 
-// Links that hold a model
+// Links that contain a model
 
 async function packed(content: string): Promise<string> {
   const stream = new Blob([content]).stream().pipeThrough(new CompressionStream("deflate-raw"));
@@ -353,7 +353,7 @@ function section(): void {
 }
 by("section").onchange = by("section-at").oninput = section;
 
-/** For a sheet: the text that it makes, to be read, in place of the inspector. */
+/** Shows a sheet's generated text, read-only, in place of the inspector. */
 function showText(on: boolean): void {
   pressed(by("show-text"), on);
   by("sheet-view").classList.toggle("with-text", on);
@@ -384,7 +384,7 @@ addEventListener("keydown", (event) => {
   keys[event.key]?.();
 });
 
-// The width of the panes
+// Widths of the panes
 
 const divider = by("divider");
 function width(wanted: number): void {
@@ -403,7 +403,7 @@ divider.onkeydown = (event) => {
   if (event.key === "ArrowRight") width(now + 2);
 };
 
-// A hint for who is here for the first time
+// A hint on the first visit
 
 if (!localStorage.getItem("fabserver hint")) {
   const hint = element("div", { id: "hint" },

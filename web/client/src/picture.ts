@@ -1,4 +1,4 @@
-// A view of the model: a canvas, what the eye sees, and requests for pictures of exactly that.
+// A view of the model: a canvas, the direction and window of the view, and requests for pictures of that window.
 import type { Answer, Box, Connection, Window4 } from "./server";
 import { post, Refusal } from "./server";
 import { element, short } from "./elements";
@@ -24,19 +24,19 @@ export class Picture {
   readonly camera: Camera = { alpha: 0.5, beta: -0.95, perspective: 0, mode: "shaded", section: null };
   bounds: Box | null = null;
   flat = false;
-  scale = 0; // mm a pixel of the page; 0: not known, show all
+  scale = 0; // mm per pixel of the page; 0: unknown, fit the model
   private offset: [number, number] = [0, 0]; // from the pivot, in the picture's plane, mm
   private pivot: Point = [0, 0, 0];
   private model: Model | null = null;
   private image: { bitmap: ImageBitmap; window: Window4; mode: string } | null = null;
   private number = 0;
-  private asked = 0; // when the request was sent that has no picture yet; 0: none
+  private asked = 0; // time of the request without a picture yet; 0: none
   private again = false;
   private fitting = true;
-  private fitted = 0; // the request whose answer shows all; another one, still on its way, does not
+  private fitted = 0; // number of the request that fits the model; answers to others do not
   private measured: Point[] = [];
   measuring = false;
-  fixed = false; // whether the view is from above for good
+  fixed = false; // whether the view always is from above
   onParameters: (answer: Answer) => void = () => {};
   onError: (answer: Answer | null) => void = () => {};
   onView: () => void = () => {};
@@ -93,26 +93,26 @@ export class Picture {
     return [x + this.offset[0], y + this.offset[1]];
   }
 
-  /** What is seen, in the picture's plane; null until something was. */
+  /** Returns the visible window in the picture's plane, mm; null before the first picture. */
   window(): Window4 | null {
     if (!this.scale) return null;
     const [x, y] = this.centre(), [w, h] = this.size;
     return [x - this.scale * w / 2, y - this.scale * h / 2, x + this.scale * w / 2, y + this.scale * h / 2];
   }
 
-  /** A place of the page, from the host's corner, in the picture's plane. */
+  /** Maps a point in pixels from the host's corner to the picture's plane, mm. */
   place(px: number, py: number): [number, number] {
     const [x, y] = this.centre(), [w, h] = this.size;
     return [x + this.scale * (px - w / 2), y - this.scale * (py - h / 2)];
   }
 
-  /** The other way round. */
+  /** Inverse of place(). */
   pixel(u: number, v: number): [number, number] {
     const [x, y] = this.centre(), [w, h] = this.size;
     return [w / 2 + (u - x) / this.scale, h / 2 - (v - y) / this.scale];
   }
 
-  /** Asks for a picture of what is seen now. It waits for one on its way that has shown nothing yet. */
+  /** Requests a picture of the visible window; waits for the first answer to an earlier request. */
   ask(): void {
     const [width, height] = this.size;
     if (!this.model || width < 8 || height < 8) return;
@@ -132,7 +132,7 @@ export class Picture {
     this.host.dataset.asked = String(this.number);
   }
 
-  // answers are shown in their order, however long each takes to be unpacked
+  // Answers are shown in order; unpacking times differ.
   private taken: Promise<void> = Promise.resolve();
 
   private async take(answer: Answer): Promise<void> {
@@ -169,7 +169,7 @@ export class Picture {
     this.onView();
   }
 
-  /** A slice, white within, as the theme's colour within and nothing without. */
+  /** Returns a slice (white inside) in the theme's colour, transparent outside. */
   private async tinted(bitmap: ImageBitmap): Promise<ImageBitmap> {
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), context = canvas.getContext("2d")!;
     context.drawImage(bitmap, 0, 0);
@@ -192,7 +192,7 @@ export class Picture {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, w, h);
     if (!this.scale) return;
-    this.host.dataset.scale = String(this.scale / ratio); // mm a pixel of the canvas
+    this.host.dataset.scale = String(this.scale / ratio); // mm per pixel of the canvas
     if (this.twoD || this.fixed) this.drawGrid(context);
     if (this.image) {
       const [x0, y0, x1, y1] = this.image.window;

@@ -1,4 +1,4 @@
-// A plan and its simulation in 3D: the ways of the tools, the stock while it is cut, the tool.
+// A plan and its simulation in 3D: paths of the tools, stock at any time, the tool.
 import { Box3, Box3Helper, BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh,
   MeshStandardMaterial, Quaternion, Vector3 } from "three";
 import { element, short } from "./elements";
@@ -20,7 +20,7 @@ const ROLES: Record<string, string> = { cutting: "#d4a017", shank: "#9aa3ab", ho
 function surfaceOf(data: ArrayBuffer, told: Surface): any {
   const geometry = new BufferGeometry(), corners = 3 * told.triangles;
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(data, told.at, 3 * told.vertices), 3));
-  // Four bytes each, of which three are taken.
+  // Four bytes each; the last is padding.
   geometry.setAttribute("normal", new BufferAttribute(Float32Array.from({ length: 3 * told.vertices },
     (_, i) => new Int8Array(data, told.normals + 4 * Math.trunc(i / 3) + i % 3, 1)[0] / 127), 3));
   if (told.colours !== undefined)
@@ -69,7 +69,7 @@ export class Playback {
     }, 40);
   }
 
-  /** Shows what a job made, of which `address` names the files. */
+  /** Shows a job's results; `address` gives the address of a file. */
   async show(address: Address, box: number[], simulated: boolean): Promise<void> {
     this.stop();
     const read = async (name: string): Promise<[any, ArrayBuffer]> => Promise.all([
@@ -118,7 +118,7 @@ export class Playback {
     return this.geometries.get(told);
   }
 
-  /** The stock and the tool after a share of the time. */
+  /** Shows stock and tool at a fraction of the time, 0 to 1. */
   private at(share: number): void {
     const { stills, poses, seconds } = this.stock!, wanted = Math.floor(share * (stills.length - 1) + 1e-9);
     if (wanted !== this.still) {

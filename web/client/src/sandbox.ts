@@ -1,5 +1,4 @@
-// Runs the code of nodes, with a limit of time, in a frame without network, storage or a way to this page
-// (sandbox.html).
+// Runs the code of nodes with a time limit, in a frame without access to network, storage or this page (sandbox.html).
 import { by } from "./elements";
 import { inOrder, type Result, type Sheet, shapeName } from "./sheet";
 
@@ -22,7 +21,7 @@ export class Sandbox {
     this.frame.contentWindow?.postMessage({}, "*");
   }
 
-  /** Runs a sheet's nodes; while others run, the newest when they are done. */
+  /** Runs a sheet's nodes. During a run, only the newest sheet is queued. */
   evaluate(sheet: Sheet): void {
     this.waiting = sheet;
     if (this.ready && !this.busy) this.start();

@@ -1,4 +1,4 @@
-// Scans: their upload, and the histogram of the one that a text opens with a parameter as its threshold.
+// Scans: their upload, and the histogram of a scan that a text opens with a parameter as its threshold.
 import { by, element, short, svg } from "./elements";
 import { type Parameter, post, Refusal } from "./server";
 
@@ -7,16 +7,16 @@ export interface Scan {
   otsu: number
 }
 
-/** Sends a file; throws Refusal, or TypeError where the server is away. */
+/** Uploads a file. Throws Refusal, or TypeError if the server cannot be reached. */
 export function upload(file: File, progress: (share: number) => void): Promise<void> {
   return new Promise((resolve, reject) => {
-    const request = new XMLHttpRequest();  // since fetch tells no progress
+    const request = new XMLHttpRequest();  // fetch reports no progress
     request.open("PUT", `/api/scans/${encodeURIComponent(file.name)}`);
     request.upload.onprogress = (event) => progress(event.loaded / file.size);
     request.onload = () => {
       if (request.status < 300) return resolve();
       let told = { kind: "http", message: request.statusText };
-      try { told = JSON.parse(request.responseText).error; } catch { /* a proxy's answer */ }
+      try { told = JSON.parse(request.responseText).error; } catch { /* not JSON: a proxy's answer */ }
       reject(new Refusal(request.status, told.kind, told.message));
     };
     request.onerror = () => reject(new TypeError("the server is away"));
@@ -26,7 +26,7 @@ export function upload(file: File, progress: (share: number) => void): Promise<v
 
 export function lookAt(name: string): Promise<Scan> { return post<Scan>("/api/scan", { name }); }
 
-/** The text of a model that shows a scan. */
+/** Returns the text of a model that shows a scan. */
 export function textOfScan(name: string, scan: Scan): string {
   return `level = ${short(scan.halfway)}  # ${short(scan.from)} to ${short(scan.to)}, ` +
     "the density that separates the solid from its surroundings\n" +
@@ -35,7 +35,7 @@ export function textOfScan(name: string, scan: Scan): string {
 
 const WIDTH = 512, HEIGHT = 90;
 
-/** The histogram beside the sliders. */
+/** The histogram next to the sliders. */
 export class Histogram {
   private host = by("histogram");
   private scans = new Map<string, Promise<Scan | null>>();
@@ -44,7 +44,7 @@ export class Histogram {
   private scan: Scan | null = null;
   onLevel: (parameter: string, value: number) => void = () => {};
 
-  /** Shows that of the scan that a text opens, if it does. */
+  /** Shows the histogram of the scan that a text opens; hides it for other texts. */
   async follow(text: string, parameters: Parameter[]): Promise<void> {
     const found = /open\(\s*"([^"]+)"[^()]*\bthreshold\s*=\s*([A-Za-z_]\w*)/.exec(text);
     const parameter = found && parameters.find((each) => each.name === found[2]);

@@ -1,4 +1,4 @@
-// A model that is turned by mouse, touch or keys, drawn by three.js. Lengths are mm, z is up.
+// A 3D view of a model, rotated by mouse, touch or keys, drawn by three.js. Lengths are mm, z is up.
 import { AmbientLight, Box3, Color, DirectionalLight, Group, PerspectiveCamera, Scene as World, Sphere, Spherical,
   Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -12,18 +12,18 @@ export class Scene {
   private controls: any;
   private waiting = false;
 
-  /** Throws where the browser has no WebGL. */
+  /** Throws if the browser has no WebGL. */
   constructor(readonly host: HTMLElement) {
     this.camera.up.set(0, 0, 1);
     const light = new DirectionalLight(new Color(1, 1, 1), 2.4);
-    light.position.set(-0.5, 0.8, 1);  // of the eye: it stays over the left shoulder
+    light.position.set(-0.5, 0.8, 1);  // in camera coordinates: above the left shoulder
     this.camera.add(light);
     this.world.add(this.model, this.camera, new AmbientLight(new Color(1, 1, 1), 0.8));
     this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
     host.append(this.renderer.domElement);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.addEventListener("change", () => this.draw());
-    this.controls.enableZoom = false;  // until it is chosen: the wheel moves the page
+    this.controls.enableZoom = false;  // without focus the wheel scrolls the page
     host.addEventListener("pointerdown", () => host.focus({ preventScroll: true }));
     host.addEventListener("focus", () => { this.controls.enableZoom = true; });
     host.addEventListener("blur", () => { this.controls.enableZoom = false; });
@@ -50,7 +50,7 @@ export class Scene {
     });
   }
 
-  /** Shows all of the model, from a corner. */
+  /** Fits the model to the view, seen from a corner. */
   fit(alpha = 0.6, height = 0.45): void {
     const ball = new Box3().setFromObject(this.model).getBoundingSphere(new Sphere()), r = Math.max(ball.radius, 1e-3);
     const far = r / Math.sin(Math.PI / 180 * this.camera.fov / 2) / Math.min(1, this.camera.aspect);

@@ -1,4 +1,4 @@
-// What the page asks the server (docs/web.md).
+// Requests to the server (docs/web.md).
 
 export interface Mistake { message: string; line: number; column: number; offset: number; length: number }
 export interface Parameter {
@@ -11,21 +11,21 @@ export interface LibraryFunction {
 export type Box = [number, number, number, number, number, number];
 export type Window4 = [number, number, number, number];
 
-/** A picture, or what is told about a text. */
+/** A picture, or facts about a text. */
 export interface Answer {
   type: "picture" | "parameters" | "error"; number: number; view: string;
   quality?: "coarse" | "fine" | "smooth"; last?: boolean; mode?: string; window?: Window4; bounds?: Box; flat?: boolean;
   message?: string; kind?: string; mistakes?: Mistake[]; parameters?: Parameter[]; image?: Blob;
 }
 
-/** An answer that is no: with what was told. */
+/** A refused request: its status, kind and message. */
 export class Refusal extends Error {
   constructor(readonly status: number, readonly kind: string, message: string, readonly mistakes: Mistake[] = []) {
     super(message);
   }
 }
 
-/** Asks for an address; throws Refusal, or TypeError where the server is away. */
+/** Requests an address. Throws Refusal, or TypeError if the server cannot be reached. */
 export async function ask(path: string, options: RequestInit = {}): Promise<Response> {
   const answer = await fetch(path, options);
   if (answer.ok) return answer;
@@ -37,7 +37,7 @@ export async function post<T>(path: string, body: unknown): Promise<T> {
   return (await ask(path, { method: "POST", body: JSON.stringify(body) })).json();
 }
 
-/** The WebSocket, opened again whenever it closes. */
+/** The WebSocket; reopened after it closes. */
 export class Connection {
   private socket: WebSocket | null = null;
   private wait = 250;
@@ -76,7 +76,7 @@ export class Connection {
     this.listeners.get(answer.view)?.(answer);
   }
 
-  /** False where the server is away. */
+  /** Sends a message. Returns false if the server cannot be reached. */
   send(message: object): boolean {
     if (this.socket?.readyState !== WebSocket.OPEN) return false;
     this.socket.send(JSON.stringify(message));

@@ -1,4 +1,4 @@
-// A sheet: a graph of nodes, each a piece of JavaScript at a place in millimetres. Knows nothing of the page.
+// A sheet: a graph of nodes, each a piece of JavaScript at a position in millimetres. Independent of the page.
 
 export interface SheetNode {
   id: number; name: string; x: number; y: number; code: string; values: Record<string, number | string>;
@@ -6,7 +6,7 @@ export interface SheetNode {
 }
 export interface Sheet { format: "fieldfab sheet"; version: 1; snap: number; nodes: SheetNode[]; text: string }
 
-/** What a node's code came to. */
+/** Result of a node's code. */
 export interface Result {
   id: number; text: string | null; error: string | null; line: number | null;
   sliders: { name: string; value: number | string; low?: number; high?: number }[];
@@ -18,7 +18,7 @@ export function emptySheet(): Sheet {
   return { format: "fieldfab sheet", version: VERSION, snap: 1, nodes: [], text: "" };
 }
 
-/** Reads a document. Throws Error that says what is wrong with it. */
+/** Reads a document. Throws Error with a description of the fault. */
 export function readSheet(text: string): Sheet {
   let given: Partial<Sheet>;
   try {
@@ -47,7 +47,7 @@ export function readSheet(text: string): Sheet {
 
 export function writeSheet(sheet: Sheet): string { return JSON.stringify(sheet, null, 1) + "\n"; }
 
-/** The nodes, parents first. Throws Error where they go round in a circle. */
+/** Returns the nodes in topological order, parents first. Throws Error for a cycle. */
 export function inOrder(sheet: Sheet): SheetNode[] {
   const byId = new Map(sheet.nodes.map((node) => [node.id, node])), done = new Set<number>(), order: SheetNode[] = [];
   for (const start of sheet.nodes) {
@@ -69,7 +69,7 @@ export function inOrder(sheet: Sheet): SheetNode[] {
   return order;
 }
 
-/** Whether a link from one node to another would make a circle. */
+/** Whether a link from one node to another would make a cycle. */
 export function makesCircle(sheet: Sheet, from: number, to: number): boolean {
   const byId = new Map(sheet.nodes.map((node) => [node.id, node])), todo = [from], seen = new Set<number>();
   while (todo.length) {
@@ -82,13 +82,13 @@ export function makesCircle(sheet: Sheet, from: number, to: number): boolean {
   return false;
 }
 
-/** The name that a node's shape has in the text. */
+/** Returns the name of a node's shape in the text. */
 export function shapeName(node: SheetNode): string {
   return (node.name.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_+|_+$/g, "").replace(/^(\d)/, "n$1") ||
     "node") + `_${node.id}`;
 }
 
-/** The sheet's f-rep text, and for each of its lines the node that it came from. */
+/** Returns the sheet's f-rep text and, for each of its lines, the node that made it. */
 export function textOf(sheet: Sheet, results: Map<number, Result>): { text: string; nodes: number[] } {
   const lines: string[] = [], nodes: number[] = [], used = new Set<number>(), shapes: SheetNode[] = [];
   for (const node of inOrder(sheet)) {
@@ -100,12 +100,12 @@ export function textOf(sheet: Sheet, results: Map<number, Result>): { text: stri
     shapes.push(node);
     for (const parent of node.parents) used.add(parent);
   }
-  // A shape that a later one takes in is not the model's own.
+  // A shape that another one uses is not a shape of the model.
   const last = shapes.filter((node) => !used.has(node.id)).map(shapeName);
   return { text: last.length ? [...lines, last.join(" | ")].join("\n") + "\n" : "", nodes };
 }
 
-/** Undo and redo without end: states of a document, as text. */
+/** Unlimited undo and redo: states of a document, as text. */
 export class Past {
   private states: string[];
   private at = 0;
@@ -115,7 +115,7 @@ export class Past {
   private merging = "";
   private kept = 0;
 
-  /** `merging`: what is typed or slid; such changes that follow each other closely are one step. */
+  /** Adds a state. `merging`: name of the input; quick successive changes of one input are one step. */
   keep(state: string, merging = ""): void {
     if (state === this.states[this.at]) return;
     const now = Date.now(), goesOn = merging !== "" && merging === this.merging && now - this.kept < 1500;

@@ -1,4 +1,4 @@
-// The sheet on the page: nodes at their places, in millimetres, over the live picture of what they make.
+// The sheet on the page: nodes at their positions, in millimetres, over the live picture of the model.
 import type { EditorView } from "@codemirror/view";
 import { by, element, pressed, short, slider, svg } from "./elements";
 import { kindsOf, type NodeKind, ownKinds, saveKind } from "./library";
@@ -48,7 +48,7 @@ export class SheetView {
 
   know(functions: LibraryFunction[]): void { this.kinds = kindsOf(functions); }
 
-  /** Shows a document. Throws Error where it is none. */
+  /** Shows a document. Throws Error for an invalid one. */
   open(text: string): void {
     this.sheet = readSheet(text);
     this.past = new Past(this.state());
@@ -60,7 +60,7 @@ export class SheetView {
     this.picture.bounds = null;
     this.picture.frame(-40, -30, 40, 30);
     this.fit();
-    this.picture.onPicture = (answer) => {  // now that it is known what the nodes make
+    this.picture.onPicture = (answer) => {  // the first answer brings the model's bounds
       if (!answer.bounds) return;
       this.picture.onPicture = () => {};
       this.fit();
@@ -70,10 +70,10 @@ export class SheetView {
     this.evaluate();
   }
 
-  /** What undo goes back to: all but the text, which follows. */
+  /** Returns the state for undo: the sheet without its text, which is derived. */
   private state(): string { return writeSheet({ ...this.sheet, text: "" }); }
 
-  /** Shows all nodes, and all that they make. */
+  /** Fits all nodes and the model to the view. */
   fit(): void {
     const { bounds } = this.picture;
     const xs = this.sheet.nodes.map((node) => node.x);
@@ -118,12 +118,12 @@ export class SheetView {
 
   private nameOf(id: number): string { return this.sheet.nodes.find((each) => each.id === id)?.name ?? "A node"; }
 
-  /** The text is a part of the document, for those who read it without JavaScript. */
+  /** Stores the text in the document, for programs that read it without JavaScript. */
   private keepText(): void {
     if (!this.moving) this.onChange(writeSheet(this.sheet));
   }
 
-  /** Mistakes of the text that the nodes made: told at the node. */
+  /** Marks the nodes that caused errors of the generated text. */
   mark(mistakes: Mistake[], message: string | null): void {
     for (const [id, said] of [...this.mistakes]) if (said.startsWith("its text: ")) this.mistakes.delete(id);
     for (const each of mistakes) {
@@ -149,7 +149,7 @@ export class SheetView {
     }
   }
 
-  // A change is shown at once, and becomes a step of undo when it is settled.
+  // A change is shown at once; it becomes an undo step when it is complete.
 
   private moving = false;
 
@@ -247,7 +247,7 @@ export class SheetView {
     };
   }
 
-  /** A link, pulled from a node's port to another node. */
+  /** Drags a link from a node's port to another node. */
   private pull(event: PointerEvent, from: number): void {
     event.preventDefault();
     event.stopPropagation();
@@ -406,7 +406,7 @@ export class SheetView {
     });
     const holder = element("div", { className: "code" });
     if (sameNode) {
-      // The editor stays as it is, with its cursor.
+      // Keeps the editor and its cursor.
       const numbers = host.querySelector(".numbers");
       if (!numbers?.contains(document.activeElement)) numbers?.replaceChildren(...rows);
       return;

@@ -1,23 +1,23 @@
-// The document that is open. Each change is kept in the browser at once and in its file soon after, so that it outlives
-// the end of either.
+// The open document. Each change is stored in the browser at once and in its file soon after, so that it survives a
+// crash of either side.
 import { ask, Refusal } from "./server";
 
 interface Draft { text: string; base: string | null }
 
-const DELAY = 400; // ms between a change and its way into the file
-const AGAIN = 1000; // ms until a server that was away is tried again
+const DELAY = 400; // ms from a change to its request
+const AGAIN = 1000; // ms between attempts to reach the server
 
 const draftKey = (name: string): string => `fabserver draft ${name}`;
 
 export class Store {
   name = "";
   text = "";
-  private version: string | null = null; // of the file; null: there is none yet
+  private version: string | null = null; // of the file; null: no file yet
   private timer = 0;
   private saving = false;
   onState: (state: "saved" | "saving" | "away" | "conflict" | "refused" | "none", message: string) => void = () => {};
 
-  /** Reads a document; with a draft of it that did not get into its file, the draft. Throws Refusal and TypeError. */
+  /** Reads a document, or its draft if that was not written to the file. Throws Refusal and TypeError. */
   async open(name: string): Promise<string> {
     await this.flush();
     const answer = await ask(`/api/documents/${encodeURIComponent(name)}`);
@@ -37,7 +37,7 @@ export class Store {
     return this.text;
   }
 
-  /** A document that has no file yet: what this browser has of it, or nothing. It is written when it changes. */
+  /** Opens a document without a file: its draft in this browser, or "". The first change writes it. */
   async begin(name: string): Promise<string> {
     await this.flush();
     this.name = name;
@@ -48,7 +48,7 @@ export class Store {
     return this.text;
   }
 
-  /** A new document, written at once. */
+  /** Creates a document and writes it at once. */
   async create(name: string, text: string): Promise<void> {
     await this.begin(name);
     this.change(text);
@@ -68,7 +68,7 @@ export class Store {
     this.text = text;
     try {
       localStorage.setItem(draftKey(this.name), JSON.stringify({ text, base: this.version } satisfies Draft));
-    } catch { /* the browser's room is full: the file has it in a moment */ }
+    } catch { /* the browser's storage is full; the file follows soon */ }
     this.onState("saving", "");
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => void this.save(), DELAY);
@@ -115,9 +115,9 @@ export class Store {
     }
   }
 
-  /** After a conflict: writes what is here over the other. */
+  /** After a conflict: overwrites the file. */
   overwrite(): void { void this.save(true); }
 
-  /** After a conflict: forgets what is here. */
+  /** After a conflict: discards the draft. */
   forget(): void { localStorage.removeItem(draftKey(this.name)); }
 }

@@ -1,4 +1,4 @@
-// The .frep text: an editor with the language's own words, mistakes at their places, and sliders for its parameters.
+// The .frep text: an editor with completion, marked errors, and sliders for its parameters.
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, type CompletionContext,
   type CompletionResult } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
@@ -65,7 +65,7 @@ async function complete(context: CompletionContext): Promise<CompletionResult | 
 
 const nonce = document.querySelector<HTMLMetaElement>('meta[name="style-nonce"]')!.content;
 
-/** What every editor of the page has. */
+/** Returns the extensions common to all editors of the page. */
 function common(changed: (text: string, byHand: boolean) => void): Extension[] {
   return [
     EditorView.cspNonce.of(nonce), lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(),
@@ -110,7 +110,7 @@ export class TextView {
     });
   }
 
-  /** Another document: its undo begins anew. */
+  /** Shows another document, with an empty undo history. */
   open(text: string, language: string): void {
     this.parameters = [];
     this.rows = "";
@@ -122,7 +122,7 @@ export class TextView {
   undo(): void { undo(this.editor); }
   redo(): void { redo(this.editor); }
 
-  /** Marks mistakes, of the text that is in the editor. */
+  /** Marks errors of the text in the editor. */
   mark(mistakes: Mistake[], message: string | null): void {
     const end = this.editor.state.doc.length;
     const found = mistakes.map((each) => {
@@ -144,7 +144,7 @@ export class TextView {
     };
   }
 
-  /** Sliders for the parameters of a text, where it is the one in the editor. */
+  /** Shows sliders for the parameters of the text in the editor. */
   follow(parameters: Parameter[]): void {
     const text = this.editor.state.doc.toString();
     if (parameters.some((each) => Number(text.slice(each.offset, each.offset + each.length)) !== Math.abs(each.value) &&
@@ -172,7 +172,7 @@ export class TextView {
   }
 }
 
-/** A small editor of a node's JavaScript. */
+/** Returns a small editor for a node's JavaScript. */
 export function codeEditor(parent: HTMLElement, text: string, changed: (text: string) => void): EditorView {
   return new EditorView({ parent,
     state: EditorState.create({ doc: text, extensions: [...common((now) => changed(now)), javascript()] }) });
