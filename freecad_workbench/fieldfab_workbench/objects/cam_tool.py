@@ -55,8 +55,8 @@ class CamTool(DocumentObject):
 
     def onBeforeChange(self, obj, name):
         if name in ("Shape", "Diameter"):
-            pattern = "|".join(re.escape(each) + r"\d*" for each in _names(obj))
-            self._follows = _in_its_own_history(obj) and bool(re.fullmatch(pattern, obj.Label))
+            self._follows = _in_its_own_history(obj) and any(
+                re.fullmatch(re.escape(each) + r"\d*", obj.Label) for each in _names(obj))
 
     def onChanged(self, obj, name):
         if name == "Shape":

@@ -119,6 +119,7 @@ window.grab().save(shot.replace(".png", "-error.png"))
 # Flat models are bitmaps.
 fine.clear()
 model.write_text("circle(5) & !circle(3)\n")
+wait(lambda: not window.view.error)  # the picture of the last valid text may still come before
 wait_for_picture()
 seen["error_gone"] = window.view.error == ""
 seen["flat_mode"] = window.view.settings()["mode"]

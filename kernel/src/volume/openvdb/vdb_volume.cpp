@@ -13,6 +13,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/file.h"
@@ -60,6 +61,7 @@ class Reader : openvdb::io::Archive {
         continue;
       }
       ahead([&] { check_grid(); });
+      grids_.push_back(grid);
       readGrid(grid, descriptor, file_);
       if (floats && !descriptor.isInstance()) return floats;  // an instance has the samples of another grid
     }
@@ -113,13 +115,18 @@ class Reader : openvdb::io::Archive {
 
   std::streamoff size_;
   std::ifstream file_;
+  std::vector<openvdb::GridBase::Ptr> grids_;  ///< all that were read: destruction of a grid uses threads
 };
+
+/// Reads a file in a copy of the process. The reader is not destroyed: oneTBB's locks may be held by threads that the
+/// copy does not have.
+void try_reader(const Path& path) { (new Reader(path))->read(); }
 
 VolumePtr open(const Path& path) {
   openvdb::initialize();
   constexpr const char* damaged = "is no .vdb file, or a damaged one, or of a later version";
   // OpenVDB reads a block of values by the size that the file gives, also beyond the end of its memory.
-  if (!ends_by_itself([&] { Reader(path).read(); }, Progress::none())) refuse(path, damaged);
+  if (!ends_by_itself([&] { try_reader(path); }, Progress::none())) refuse(path, damaged);
   openvdb::FloatGrid::Ptr grid;
   try {
     grid = Reader(path).read();
