@@ -116,6 +116,10 @@ TEST(CopyOfProcess, EndsInThePlaceOfThisOne) {
   EXPECT_FALSE(ends_by_itself([] { std::raise(SIGSEGV); }, Progress::none()));
 }
 
+TEST(CopyOfProcess, IsGivenUpIfItWaitsForLong) {
+  EXPECT_TRUE(ends_by_itself([] { std::this_thread::sleep_for(std::chrono::minutes(10)); }, Progress::none()));
+}
+
 TEST(CopyOfProcess, IsKilledWhenTheWorkIsCancelled) {
   Progress progress;
   std::thread canceller([&] {

@@ -9,7 +9,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 namespace fieldfab {
 namespace {
@@ -33,6 +36,9 @@ namespace {
   _exit(0);
 }
 
+/// A copy that uses no processor for so long waits for a lock that another thread of the original held at the fork.
+constexpr std::chrono::seconds longest_rest{5};
+
 /// Kills the copy if it is still running, and waits for its end.
 struct Copy {
   ~Copy() {
@@ -40,6 +46,13 @@ struct Copy {
     while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
     }
     close(told);
+  }
+  /// Processor time that it has used, ns.
+  [[nodiscard]] std::int64_t used() const {
+    clockid_t clock{};
+    timespec time{};
+    if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+    return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
   }
   pid_t process;
   int told;  ///< read end of the pipe to which it writes when it is done
@@ -59,12 +72,18 @@ bool ends_by_itself(const std::function<void()>& work, Progress& progress) {
     return true;
   }
   const Copy copy{process, ends[0]};
+  std::int64_t used = -1;
+  auto since = std::chrono::steady_clock::now();
   for (char byte = 0;;) {
     progress.check();
     pollfd waiting{copy.told, POLLIN, 0};
-    if (poll(&waiting, 1, 50) <= 0) continue;
-    const ssize_t got = ::read(copy.told, &byte, 1);
-    if (got >= 0 || errno != EINTR) return got == 1;
+    if (poll(&waiting, 1, 50) > 0) {
+      const ssize_t got = ::read(copy.told, &byte, 1);
+      if (got >= 0 || errno != EINTR) return got == 1;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    if (const std::int64_t more = copy.used(); more != used) used = more, since = now;
+    if (now - since > longest_rest) return true;
   }
 }
 
