@@ -17,9 +17,11 @@
 namespace fieldfab {
 namespace {
 
+constexpr int completed = 87;  ///< exit code of a copy that has done its work
+
 /// Runs the copy: silent, without signal handlers or core file, and ended together with the
 /// original process.
-[[noreturn]] void run_as_copy(const std::function<void()>& work, pid_t original, int told) noexcept {
+[[noreturn]] void run_as_copy(const std::function<void()>& work, pid_t original) noexcept {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != original) _exit(1);
   for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTERM}) std::signal(signal, SIG_DFL);
@@ -32,8 +34,7 @@ namespace {
     work();
   } catch (...) {  // the original will throw it, too
   }
-  [[maybe_unused]] const ssize_t written = write(told, "+", 1);
-  _exit(0);
+  _exit(completed);
 }
 
 /// A copy that uses no processor for so long waits for a lock that another thread of the original held at the fork.
@@ -42,10 +43,19 @@ constexpr std::chrono::seconds longest_rest{5};
 /// Kills the copy if it is still running, and waits for its end.
 struct Copy {
   ~Copy() {
-    kill(process, SIGKILL);
-    while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    if (!waited) {
+      kill(process, SIGKILL);
+      wait();
     }
-    close(told);
+    close(open);
+  }
+  /// Waits for its end; returns whether it completed the work, as far as the system tells (not if SIGCHLD is ignored).
+  bool wait() {
+    int status = 0;
+    waited = true;
+    while (waitpid(process, &status, 0) < 0)
+      if (errno != EINTR) return true;
+    return WIFEXITED(status) && WEXITSTATUS(status) == completed;
   }
   /// Processor time that it has used, ns.
   [[nodiscard]] std::int64_t used() const {
@@ -55,7 +65,8 @@ struct Copy {
     return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
   }
   pid_t process;
-  int told;  ///< read end of the pipe to which it writes when it is done
+  int open;  ///< read end of a pipe that it holds open until its end
+  bool waited = false;
 };
 
 }  // namespace
@@ -65,22 +76,19 @@ bool ends_by_itself(const std::function<void()>& work, Progress& progress) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return true;
   const pid_t original = getpid(), process = fork();
-  if (process == 0) run_as_copy(work, original, ends[1]);
+  if (process == 0) run_as_copy(work, original);
   close(ends[1]);
   if (process < 0) {
     close(ends[0]);
     return true;
   }
-  const Copy copy{process, ends[0]};
+  Copy copy{process, ends[0]};
   std::int64_t used = -1;
   auto since = std::chrono::steady_clock::now();
-  for (char byte = 0;;) {
+  for (;;) {
     progress.check();
-    pollfd waiting{copy.told, POLLIN, 0};
-    if (poll(&waiting, 1, 50) > 0) {
-      const ssize_t got = ::read(copy.told, &byte, 1);
-      if (got >= 0 || errno != EINTR) return got == 1;
-    }
+    pollfd waiting{copy.open, POLLIN, 0};
+    if (poll(&waiting, 1, 50) > 0) return copy.wait();
     const auto now = std::chrono::steady_clock::now();
     if (const std::int64_t more = copy.used(); more != used) used = more, since = now;
     if (now - since > longest_rest) return true;
