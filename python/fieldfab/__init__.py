@@ -1,7 +1,7 @@
 """Fieldfab: solids from formulas, as distance fields, watertight meshes and pictures.
 
     import fieldfab as ff
-    part = ff.shapes.rounded_box(20, 10, 5, 1) - 0.0
+    part = ff.shapes.rounded_box(20, 10, 5, 1)
     ff.mesh(part, voxel=0.1).save("part.stl")
 """
 

@@ -1,10 +1,11 @@
 """kokopelli's library of circuit boards: `koko.lib.pcb`. Lengths are inches in its parts, angles degrees.
 
+    from fieldfab.kokopelli_pcb import PCB, ATtiny44_SOIC  # in kokopelli's scripts: from koko.lib.pcb import *
     board = PCB(0, 0, 1, 1.5)
     chip = ATtiny44_SOIC(0.5, 0.7, 0, "IC1")
     board += chip
     board.connectH(chip["PA4"], (0.8, 0.2))
-    cad.shapes = board.layout
+    layout = board.layout
 """
 
 from __future__ import annotations

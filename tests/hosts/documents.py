@@ -1,7 +1,6 @@
 """Contents of README.md, CONTRIBUTING.md and docs/*.md: blocks by language, commands, words in backquotes, links. Also
 code in docstrings."""
 
-import inspect
 import re
 import textwrap
 import typing
@@ -83,8 +82,8 @@ class Document:
 
 
 def code_of(docstring):
-    """Returns the indented blocks of a docstring."""
-    found = re.findall(r"(?:^    .*\n?|^\n)+", inspect.cleandoc(docstring), re.M)
+    """Returns the indented blocks of a docstring, cleaned of the indent of its source."""
+    found = re.findall(r"(?:^    .*\n?|^\n)+", docstring, re.M)
     return [textwrap.dedent(block).strip() for block in found if block.strip()]
 
 
