@@ -1,4 +1,5 @@
 // Contouring against CGAL: valid for any Field, and accurate where the Field is resolved.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -106,6 +107,26 @@ double distance_quantile(const TriangleMesh& mesh, const Field& solid, double vo
 }
 
 // A naive lattice method cuts corners and leaves sawtooth edges on a rotated cube.
+/// Faces that almost lie in a plane of the lattice, at .634 here: on the rims of merged cells, of which some end in
+/// each eighth plane.
+TEST(Contour, KeepsBoxesWhoseFacesAreNextToPlanesOfTheLattice) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int plane = -8; plane < 24; ++plane)
+      for (const double off : {-5e-4, -2e-4, -1e-4, 1e-4, 5e-4}) {
+        const Vec3 lower(-14.4, -13.2, -12.6);
+        Vec3 upper(14.3, 12.9, 13.3);
+        upper[axis] = plane + 0.634 + off;
+        const std::string text = fmt::format("max(max(max({} - x, x - {}), max({} - y, y - {})), max({} - z, z - {}))",
+                                             lower.x(), upper.x(), lower.y(), upper.y(), lower.z(), upper.z());
+        const ContourMesh mesh =
+            contour(*frep::make_field(frep::parse_infix(text)), {Vec3::Constant(-40), Vec3::Constant(40)}, {1});
+        const double volume = (upper - lower).prod();
+        // Vertices keep a 2048th of a merged cell's edge from its rim.
+        EXPECT_NEAR(mesh.volume(), volume, 3e-4 * volume) << text;
+        EXPECT_TRUE(inspect(mesh).valid()) << text;
+      }
+}
+
 TEST(Contour, KeepsTheEdgesAndCornersOfTurnedCubes) {
   int exact = 0, corners = 0;
   for (int turn = 1; turn <= 8; ++turn)

@@ -249,8 +249,8 @@ class CurveTracer {
 
   /// Adds a bend to a curve, at the intersection of the tangent lines at its ends, if the surface
   /// passes closer there than to the straight line. So sharp edges cross faces at the right points.
-  /// If the intersection is beyond the rim of the face, the bend is halfway, and sharpen() moves
-  /// it.
+  /// If the intersection is on the rim of the face or beyond, the bend is halfway, and sharpen()
+  /// moves it. On faces of merged cells, where halfway can be many voxels off, it is moved inwards.
   void bend_curves() {
     struct Bend {
       std::size_t curve;
@@ -285,7 +285,10 @@ class CurveTracer {
         const auto within = [&](int axis) {
           return bend.place[axis] >= inner.lower[axis] && bend.place[axis] <= inner.upper[axis];
         };
-        out_.bends.push_back(to_floats(within(u) && within(v) ? bend.place : middle_of(curve)));
+        const bool merged = level_of(curve) > lattice_.voxel_level();
+        Vec3 place = within(u) && within(v) || merged ? bend.place : middle_of(curve);
+        for (const int axis : {u, v}) place[axis] = std::clamp(place[axis], inner.lower[axis], inner.upper[axis]);
+        out_.bends.push_back(to_floats(place));
       }
   }
 
