@@ -28,9 +28,11 @@ class Worker(QtCore.QObject):
     """Runs the latest job of its kind on a thread and cancels older ones."""
 
     done = QtCore.Signal(object)
+    _made = QtCore.Signal(int, object)
 
     def __init__(self):
         super().__init__()
+        self._made.connect(self._deliver)
         self._latest, self._wake, self._job = 0, threading.Condition(), None
         threading.Thread(target=self._run, daemon=True).start()
 
@@ -40,6 +42,12 @@ class Worker(QtCore.QObject):
             self._latest += 1
             self._job = (self._latest, job)
             self._wake.notify()
+
+    @QtCore.Slot(int, object)
+    def _deliver(self, number, result):
+        """Passes on a result, on the thread of the window: a later job may have started while it was on its way."""
+        if number == self._latest:
+            self.done.emit(result)
 
     def _run(self):
         while True:
@@ -57,15 +65,14 @@ class Worker(QtCore.QObject):
                 for result in job(progress):
                     if number != self._latest:
                         break
-                    self.done.emit(result)
+                    self._made.emit(number, result)
             except Stale:
                 pass
             except ff.Error as error:
-                if error.kind != "cancelled" and number == self._latest:
-                    self.done.emit(error)
+                if error.kind != "cancelled":
+                    self._made.emit(number, error)
             except Exception as error:  # the window survives any error of a model
-                if number == self._latest:
-                    self.done.emit(error)
+                self._made.emit(number, error)
 
 
 class Model:
@@ -182,6 +189,7 @@ class View(QtWidgets.QWidget):
         self.setMinimumSize(160, 120)
         self.setFocusPolicy(QtCore.Qt.StrongFocus)
         self.model, self.error, self.image, self.seconds = None, "", None, 0.0
+        self.fine = False  # whether the picture is the fine one of what the settings ask for
         self.alpha, self.beta, self.perspective = 0.5, -0.95, 0.5
         self.offset, self.scale = [0.0, 0.0], None  # mm from the solid's centre; mm per pixel
         self.worker = Worker()
@@ -239,6 +247,7 @@ class View(QtWidgets.QWidget):
         if self.model is None or self.width() < 8:
             return
         field, settings, size = self.model.field, self.settings(), max(self.width(), self.height())
+        self.fine = False
 
         def job(progress):
             for pixels in (max(8, size // COARSE), size):
@@ -251,13 +260,13 @@ class View(QtWidgets.QWidget):
     def _show(self, result):
         if isinstance(result, Exception):
             return self.set_error(str(result))
-        picture, fine, self.seconds = result
+        picture, self.fine, self.seconds = result
         kind = QtGui.QImage.Format_Grayscale8 if picture.channels == 1 else QtGui.QImage.Format_RGB888
         pixels = picture.pixels
         self.image = QtGui.QImage(pixels.tobytes(), picture.width, picture.height, picture.width * picture.channels,
                                   kind).copy()
         self.update()
-        self.shown.emit(fine)
+        self.shown.emit(self.fine)
 
     # Qt
 

@@ -482,6 +482,7 @@ def test_the_page_is_accessible(page, folder, theme):
                 page.until(lambda: page.find("#panels select").is_displayed(), "the panels")
         else:
             page.until(lambda: page.find("#examples .card").is_displayed(), "the gallery")
+        page.until(lambda: page.script("return document.getAnimations().length === 0"), "colours at rest")
         page.script(axe.read_text())
         found = page.browser.execute_async_script(
             "const done = arguments[0]; axe.run({ resultTypes: ['violations'] }).then((r) => done(r.violations))")

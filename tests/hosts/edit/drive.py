@@ -35,8 +35,16 @@ def wait(condition, seconds=60):
 
 
 def wait_for_picture():
-    wait(lambda: fine and fine[-1])
+    wait(lambda: window.view.fine)
     fine.clear()
+
+
+def save(text=None):
+    """Writes the model file, or has the sliders write it, and waits for the picture of its new text."""
+    before = window.view.model
+    window.write() if text is None else model.write_text(text)
+    wait(lambda: window.view.model is not before)
+    wait_for_picture()
 
 
 def shown():
@@ -61,11 +69,7 @@ seen["exact"] = int(np.abs(shown() - rendered()).max())
 first = shown()
 
 # A save updates the view.
-started = time.monotonic()
-model.write_text("difference(box(10, 10, 10), sphere(6))\n")
-wait(lambda: len(fine) > 0)
-seen["seconds_after_save"] = time.monotonic() - started
-wait_for_picture()
+save("difference(box(10, 10, 10), sphere(6))\n")
 seen["changed_by_save"] = float((shown() != first).mean())
 seen["exact_after_save"] = int(np.abs(shown() - rendered()).max())
 
@@ -89,22 +93,18 @@ wait_for_picture()
 window.grab().save(shot)
 
 # Sliders of the text's parameters; only the button writes the file.
-fine.clear()
 text = "size = 10  # 4 to 12, ½\nbox(size, size, size)\n"
-model.write_text(text)
-wait_for_picture()
+save(text)
 window.sliders.slider("size").setValue(500)
 wait(lambda: window.view.model.bounds[3] < 4.2)
 seen["slid"] = window.sliders.values["size"]
 seen["untouched"] = model.read_text() == text
 fine.clear()
 window.grab().save(shot.replace(".png", "-sliders.png"))
-window.write()
-wait(lambda: not window.sliders.values)
+save()
 seen["written"] = model.read_text()
-wait_for_picture()
-model.write_text("difference(box(10, 10, 10), sphere(6))\n")
-wait_for_picture()
+assert not window.sliders.values
+save("difference(box(10, 10, 10), sphere(6))\n")
 seen["no_sliders"] = not window.sliders.isVisible()
 
 # An error is shown, and the last valid picture stays.
@@ -117,10 +117,7 @@ seen["kept_below_message"] = bool((shown()[120:] == good[120:]).all())
 window.grab().save(shot.replace(".png", "-error.png"))
 
 # Flat models are bitmaps.
-fine.clear()
-model.write_text("circle(5) & !circle(3)\n")
-wait(lambda: not window.view.error)  # the picture of the last valid text may still come before
-wait_for_picture()
+save("circle(5) & !circle(3)\n")
 seen["error_gone"] = window.view.error == ""
 seen["flat_mode"] = window.view.settings()["mode"]
 seen["exact_flat"] = int(np.abs(shown() - rendered()).max())
