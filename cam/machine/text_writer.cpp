@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "base/chords.h"
 #include "fieldfab/cam/machine/machine.h"
@@ -36,6 +37,12 @@ class Templates {
   [[nodiscard]] bool has(const std::string& key) const { return machine_.text.contains(key); }
   /// Forgets all written values, so that brackets are written again.
   void forget() { written_.clear(); }
+  [[nodiscard]] bool is_written(const std::string& name) const {
+    const auto found = written_.find(name);
+    return found != written_.end() && found->second == texts_.at(name);
+  }
+  void set_written(const std::string& name) { written_[name] = texts_.at(name); }
+  void forget(const std::string& name) { written_.erase(name); }
 
   /// The expanded template of that name; empty if the machine has none.
   std::string fill(const std::string& key) {
@@ -141,6 +148,7 @@ class TextWriter {
     set_settings();
     const Section* const first = program_.sections.empty() ? nullptr : &program_.sections.front();
     set_section(first != nullptr ? *first : Section{});
+    set_head();
     out_ += templates_.fill("header");
     int tool = -1;
     double spindle = -1;
@@ -204,6 +212,47 @@ class TextWriter {
     for (const Move& move : section.moves)
       if (!move.rapid() && (slowest == 0 || move.feed < slowest)) slowest = move.feed;
     templates_.set("slowest", slowest / machine_.feed_unit);
+  }
+
+  /// The lines of {head}: stock, zero, tools and time, for the person at the machine.
+  void set_head() {
+    std::vector<std::string> lines;
+    const Box& stock = program_.stock;
+    if (const Vec3 size = stock.size(); stock.valid() && size.minCoeff() > 0) {
+      lines.push_back(
+          fmt::format("stock: {} x {} x {} {}", number(size.x()), number(size.y()), number(size.z()), unit()));
+      lines.push_back(fmt::format("zero: {} {u} from its left, {} {u} from its front, {} {u} {} its top",
+                                  number(-stock.lower.x()), number(-stock.lower.y()), number(std::abs(stock.upper.z())),
+                                  stock.upper.z() >= 0 ? "below" : "above", fmt::arg("u", unit())));
+    }
+    std::set<int> listed;
+    double seconds = 0;
+    for (const Section& section : program_.sections) {
+      seconds += duration(section.moves, machine_.dynamics);
+      if (listed.insert(section.tool.number).second && section.tool.diameter > 0)
+        lines.push_back(tool_line(section.tool));
+    }
+    if (seconds > 0)
+      lines.push_back(seconds < 90 ? fmt::format("time: about {:.0f} s", seconds)
+                                   : fmt::format("time: about {:.0f} min", seconds / 60));
+    std::string head;
+    for (const std::string& line : lines) {
+      templates_.set_text("comment", comment_safe(line));
+      head += templates_.fill("comment");
+    }
+    templates_.set_text("head", std::move(head));
+  }
+  [[nodiscard]] std::string tool_line(const Tool& tool) const {
+    const std::string name = tool.name.empty() ? std::string(name_of(tool.shape)) : tool.name;
+    std::string line = fmt::format("T{}: {}, diameter {} {}", tool.number, name, number(tool.diameter), unit());
+    if (tool.length > 0) line += fmt::format(", stickout {} {}", number(tool.length), unit());
+    return line;
+  }
+  [[nodiscard]] bool inches() const { return machine_.unit == 25.4; }
+  [[nodiscard]] const char* unit() const { return inches() ? "in" : "mm"; }
+  /// A length in mm or in inches, for a person.
+  [[nodiscard]] std::string number(double mm) const {
+    return inches() ? number_text(mm / 25.4, 3) : number_text(mm, 2);
   }
 
   static std::string comment_safe(std::string text) {
@@ -283,6 +332,8 @@ class TextWriter {
           coordinate("radius", arc.radius);
       templates_.set("turn", -to_degrees(arc.turn));
       out_ += templates_.fill(move.bulge > 0 ? "arc_ccw" : "arc_cw");
+    } else if (move.rapid() && !at_known_ && templates_.has("retract")) {
+      approach();
     } else {
       out_ += templates_.fill(move.rapid() ? "rapid" : "line");
     }
@@ -290,6 +341,17 @@ class TextWriter {
     axis_ = move.axis;
     at_known_ = true;
     last_ = pose;
+  }
+
+  /// The first move after a tool change, from an unknown place: up, over, and only then down.
+  void approach() {
+    out_ += templates_.fill("retract");
+    const bool at_height = templates_.is_written("z");
+    templates_.set_written("z");
+    out_ += templates_.fill("rapid");
+    if (at_height) return;
+    templates_.forget("z");
+    out_ += templates_.fill("rapid");
   }
 
   /// Whether the tip leaves the straight line when all axes move linearly to a pose.

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/toml_table.h"
@@ -29,6 +31,19 @@ bool stops(const Machine& machine, const std::string& text) {
   if (found == machine.text.end()) return false;
   const std::string& t = found->second;
   return t.find("M0\n") != std::string::npos || t.find("PAUSE\r\n") != std::string::npos;
+}
+
+/// For a set-up that does not say where the machine's zero is: puts it above the work, where machines have it, so that
+/// G53 G0 Z0 and G28 Z0 lift every tool off the stock, however that is turned. Program coordinates stay as they are.
+void put_below_machine_zero(SimulationSetup& setup) {
+  constexpr double margin = 50;  // mm between stock and the longest tool
+  const Box& stock = setup.stock_box;
+  double longest = 0;
+  for (const auto& [number, tool] : setup.tools) longest = std::max(longest, tool.length);
+  const double above = stock.lower.cwiseAbs().cwiseMax(stock.upper.cwiseAbs()).norm() + longest + margin;
+  setup.zero.z() -= above;
+  setup.start.at[2] -= above;
+  for (AxisValues& offset : setup.work_offsets) offset.at[2] -= above;
 }
 
 class SetupReader {
@@ -60,6 +75,7 @@ class SetupReader {
       read_places();
       read_stops();
     }
+    if (!knows_machine_zero()) put_below_machine_zero(setup_);
     if (!(setup_.sampling.cell > 0)) throw refuse(table_, "cell", "cell must be above 0");
     return std::move(setup_);
   }
@@ -186,6 +202,14 @@ class SetupReader {
     for (const RotaryAxis& axis : setup_.machine.kinematics.axes)
       if (axis.letter >= 'A' && axis.letter <= 'C')
         setup_.limits[static_cast<std::size_t>(axis.letter - 'A') + 3] = {axis.lower, axis.upper};
+  }
+
+  /// Whether the file says how high the machine's zero is.
+  bool knows_machine_zero() const {
+    const auto has = [&](const char* key) { return table_.has(key); };
+    const auto limits = table_.table("limits");
+    return std::ranges::any_of(std::array{"zero", "start", "home", "second_home", "work"}, has) ||
+           (limits && limits->has("z"));
   }
 
   /// A model with its bounds, or those of the table.
@@ -344,7 +368,11 @@ class SetupReader {
 }  // namespace
 
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress, const Formats& formats) {
-  if (path.extension() == ".camotics") return read_camotics(path, progress);
+  if (path.extension() == ".camotics") {
+    SimulationSetup setup = read_camotics(path, progress);
+    put_below_machine_zero(setup);
+    return setup;
+  }
   return SetupReader(path, nullptr, progress, formats).read();
 }
 

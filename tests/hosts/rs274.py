@@ -8,16 +8,17 @@ import tempfile
 import numpy as np
 
 
-def canonical(program, tools=((1, 0.0, 0.1),)):
-    """Returns rs274's canonical calls (name, [numbers]) for a G-code file. Raises AssertionError with its message if it
-    refuses the file."""
+def canonical(program, tools=((1, 0.0, 0.1),), above=0.0):
+    """Returns rs274's canonical calls (name, [numbers]) for a G-code file. The machine's zero is `above` mm over the
+    program's. Raises AssertionError with its message if it refuses the file."""
     assert shutil.which("rs274"), "rs274 is missing: ./dev setup installs linuxcnc-uspace"
     with tempfile.TemporaryDirectory() as folder:
         table, variables, out = folder + "/tool.tbl", folder + "/v.var", folder + "/out.txt"
         with open(table, "w") as f:
             for number, length, diameter in tools:
                 f.write(f"T{number} P{number} Z{length / 25.4:.8f} D{diameter / 25.4:.8f}\n")
-        open(variables, "w").close()
+        with open(variables, "w") as f:
+            f.write(f"5223\t{-above / 25.4:.8f}\n")
         done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out],
                               capture_output=True, text=True, timeout=300)
         assert done.returncode == 0, done.stderr + done.stdout
@@ -44,3 +45,13 @@ def moves(program, **keywords):
             continue
         kinds.append(name)
     return np.array(at), kinds, np.array(centres)
+
+
+def moves_of_program(program, **keywords):
+    """Returns moves() of a program of `fieldfab cam`, without those at the machine's zero: after each tool change the
+    tool goes up to it and over. Raises AssertionError if there are none, and if they are not rapids."""
+    above = 1000.0
+    at, kinds, centres = moves(program, above=above, **keywords)
+    up = np.abs(at[:, 2] - above) < 1e-3
+    assert up[:2].all() and all(kinds[i] == "STRAIGHT_TRAVERSE" for i in np.flatnonzero(up))
+    return at[~up], [kind for kind, away in zip(kinds, up) if not away], centres[~up]

@@ -56,13 +56,18 @@ def run(*args, timeout=300):
     return subprocess.run([str(COMMAND), *map(str, args)], capture_output=True, text=True, timeout=timeout)
 
 
+HOME = 1000.0  # height of the machine's zero over the part's: anything above the stock
+
+
 def follow(lines):
     """Returns the position after each line of a program, and its tool."""
     places, tools, place, tool = [], [], {}, 0
     for line in lines:
         if found := re.match(r"T(\d+)", line):
             tool = int(found[1])
-        if re.match(r"G[0123] ", line):
+        if line.startswith("G53"):
+            place = {**place, "Z": HOME}
+        elif re.match(r"G[0123] ", line):
             place = {**place, **{letter: float(number) for letter, number in re.findall(r"([XYZAC])(-?[\d.]+)", line)}}
         places.append(place)
         tools.append(tool)
@@ -303,7 +308,7 @@ def test_over_travel_is_found_at_its_lines(program):
         setup = program.folder / f"{program.name}_o{number}.toml"
         setup.write_text(setup_of(program, f"[limits]\nx = [-1000, {limit}]\n"))
         result = program.simulate(program.lines, setup, f"_o{number}")
-        moves = [i for i in range(1, len(program.at)) if re.match(r"G[0123] ", program.lines[i])]
+        moves = [i for i in range(1, len(program.at)) if re.match(r"(G53 )?G[0123] ", program.lines[i])]
         surely = {i + 1 for i in moves if program.furthest(i) > limit + 0.01}  # arcs are checked as chords
         maybe = {i + 1 for i in moves if program.furthest(i) > limit + 1e-6}
         found = passes(result, "over-travel")

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 import web_hostile
 from conftest import BUILD, COMMAND
-from rs274 import moves
+from rs274 import moves_of_program
 from web_server import Server, Socket, children, pixels, wait_until
 
 import fieldfab as ff
@@ -427,7 +427,7 @@ def test_a_program_is_planned_and_simulated(server, tmp_path):
     assert (told["good"] and told["events"] == [] and told["removed"] > 300 and 20 < told["seconds"] < 2000
             and told["stock"][3] - told["stock"][0] > 34)
     (tmp_path / "program.ngc").write_bytes(file("program.ngc")[2])
-    places, kinds, _ = moves(tmp_path / "program.ngc", tools=((1, 40, 6),))
+    places, kinds, _ = moves_of_program(tmp_path / "program.ngc", tools=((1, 40, 6),))
     assert len(places) > 20 and places[:, 2].min() > -9.1 and "STRAIGHT_FEED" in kinds
     assert server.ask("GET", f"/api/jobs/{job['job']}/file")[2] == (tmp_path / "program.ngc").read_bytes()
     for name in ("sheet.html", "report.html"):

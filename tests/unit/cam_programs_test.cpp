@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <numbers>
+#include <sstream>
 
 #include "cam_readings.h"
 #include "fieldfab/cam/gcode/motion.h"
@@ -32,12 +33,13 @@ Program square() {
   return program;
 }
 
-std::string written(const std::string& machine) {
+std::string written(const Program& program, const std::string& machine) {
   const Machine loaded = load_machine(machine);
   Values values;
   for (const Setting& setting : loaded.settings) values.given[setting.name] = {setting.standard, "default", ""};
-  return write_program(square(), loaded, values);
+  return write_program(program, loaded, values);
 }
+std::string written(const std::string& machine) { return written(square(), machine); }
 
 void same_way(const std::vector<Motion>& motions, double within, bool rapids) {
   std::vector<Motion> moved;
@@ -61,6 +63,58 @@ TEST(written_programs, gcode_machines) {
         read_gcode(written(machine), machine, with_tools(), [&](const Motion& m) { motions.push_back(m); });
     same_way(motions, 2e-3, true);
   }
+}
+
+/// Two tools on a stock.
+Program two_tools() {
+  Program program = square();
+  program.name = "lid (left)";
+  program.stock = {{-2, -3, -20}, {38, 37, 1}};
+  program.sections.push_back(program.sections[0]);
+  Tool &first = program.sections[0].tool, &second = program.sections[1].tool;
+  first.name = "rougher", first.diameter = 6, first.length = 45.5;
+  second.number = 2, second.shape = ToolShape::ball, second.diameter = 3;
+  return program;
+}
+
+/// The program's lines from each tool change to the first feed, joined by '/'.
+std::vector<std::string> approaches(const std::string& text, const std::string& change) {
+  std::vector<std::string> found;
+  bool inside = false;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    while (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.find(change) != std::string::npos) inside = true, found.emplace_back();
+    if (line.starts_with("G1") || line.starts_with("M3,")) inside = false;
+    if (inside && (line.find("G0") != std::string::npos || line.starts_with("J"))) found.back() += line + "/";
+  }
+  return found;
+}
+
+TEST(written_programs, go_up_and_over_and_then_down_after_a_tool_change) {
+  const auto same = [](const std::string& machine, const std::string& change, const std::string& expected) {
+    const std::vector<std::string> found = approaches(written(two_tools(), machine), change);
+    EXPECT_EQ(found, (std::vector<std::string>{expected, expected})) << machine;
+  };
+  same("linuxcnc", "M6", "G53 G0 Z0/G0 X10 Y10/G0 Z5/G0 Z1/");
+  same("mach3", "M6", "G53 G0 Z0/G0 X10 Y10/G0 Z5/G0 Z1/");
+  same("grbl", "M0", "G0 Z5/G0 X10 Y10/G0 Z1/");
+  same("marlin", "M0", "G0 Z5/G0 X10 Y10/G0 Z1/");
+  same("shopbot_mm", "&Tool", "JZ,5/J3,10,10,5/J3,10,10,1/");
+}
+
+TEST(written_programs, name_stock_zero_tools_and_time) {
+  const std::string text = written(two_tools(), "linuxcnc");
+  EXPECT_NE(text.find("(lid  left )\n"
+                      "(stock: 40 x 40 x 21 mm)\n"
+                      "(zero: 2 mm from its left, 3 mm from its front, 1 mm below its top)\n"
+                      "(T1: rougher, diameter 6 mm, stickout 45.5 mm)\n"
+                      "(T2: ball, diameter 3 mm)\n"
+                      "(time: about "),
+            std::string::npos)
+      << text.substr(0, 400);
+  EXPECT_NE(written(two_tools(), "gcode_inch").find("(stock: 1.575 x 1.575 x 0.827 in)\n"), std::string::npos);
+  EXPECT_EQ(written("linuxcnc").find("stock"), std::string::npos) << "an unknown stock is not listed";
 }
 
 TEST(written_programs, shopbot) {

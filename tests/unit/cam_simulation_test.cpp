@@ -148,6 +148,21 @@ TEST_F(SimulationFiles, TheFirstMoveIsHeldAgainstLimitsAsWell) {
   EXPECT_EQ(name_of(result.events()[0].kind), "over-travel");
 }
 
+TEST_F(SimulationFiles, TheMachinesZeroIsAboveTheWorkWhereNobodySaysWhereItIs) {
+  const auto program = write("home.ngc", {"G21 G90 G17", "T1 M6", "G43 H1", "S1000 M3", "G53 G0 Z0", "G0 X5 Y5",
+                                          "G0 Z2", "G1 Z-1 F300", "G1 X15", "G28 G91 Z0", "G90 G0 X-5 Y-5", "M2"});
+  const std::string set_up =
+      "[stock]\nlower = [0, 0, -8]\nupper = [20, 20, 0]\n"
+      "[[tool]]\nnumber = 1\nshape = \"flat\"\ndiameter = 3\nflute = 6\nlength = 20\n";
+  const auto events = [&](const std::string& more) {
+    const SimulationSetup read = read_simulation_setup(write("setup.toml", {more, set_up}));
+    return simulate(read, program).events().size();
+  };
+  EXPECT_EQ(events(""), 0u);
+  // There, axes at 0 are a tip 20 mm below the stock's top: rapids in the material.
+  EXPECT_GT(events("zero = [0, 0, 0]"), 0u);
+}
+
 // The shank meets the wall on lines of two passes, the deeper ones last: two events, each with its
 // lines and worst place.
 TEST_F(SimulationFiles, EventsOfOneKindAlongAPassAreOne) {

@@ -86,14 +86,20 @@ def words_of_file(text):
     mm/s. Raises ValueError for files other than G-code in millimetres."""
     if not re.search(r"^G0?[01]\b", text, re.MULTILINE) or re.search(r"\bG20\b", text):
         raise ValueError(tr("FreeCAD's Path takes G-code in millimetres: choose such a machine"))
-    lines, mode = [], "G0"
+    lines, mode, over = [], "G0", ""
     for line in text.splitlines():
+        if line.startswith("G53"):
+            over = "G0"  # Path.Path knows no machine coordinates: the rapids over and down become one
         if not _WORDS.match(line):
             continue
         head = re.match(r"G0?([0123])\b", line)
         mode = f"G{head[1]}" if head else mode
         words = re.sub(r"F([\d.]+)", lambda m: f"F{float(m[1]) / 60:.5f}", line[head.end():] if head else line)
-        lines.append(f"{mode} {words.strip()}")
+        if over and "Z" not in words:
+            over += f" {words.strip()}"
+            continue
+        lines.append(f"{over or mode} {words.strip()}")
+        over = ""
     return "\n".join(lines)
 
 
