@@ -52,6 +52,6 @@ def moves_of_program(program, **keywords):
     tool goes up to it and over. Raises AssertionError if there are none, and if they are not rapids."""
     above = 1000.0
     at, kinds, centres = moves(program, above=above, **keywords)
-    up = np.abs(at[:, 2] - above) < 1e-3
+    up = at[:, 2] > above / 2  # the tip is lower than the axis, by the tool's length
     assert up[:2].all() and all(kinds[i] == "STRAIGHT_TRAVERSE" for i in np.flatnonzero(up))
     return at[~up], [kind for kind, away in zip(kinds, up) if not away], centres[~up]
