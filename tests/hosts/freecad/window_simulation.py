@@ -50,7 +50,8 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
     worked = time.thread_time()
     with Heartbeat() as beat:
         playback.buttons["play"].click()
-        live(2.5)
+        # It plays by the clock: on a busy machine fewer pictures must not mean that the end is reached.
+        wait(lambda: time.monotonic() - began > 2.5 or playback.seconds > 0.4 * playback.player.length)
         playback.buttons["play"].click()
     rate = (playback.shown - shown) / (time.monotonic() - began)
     worked = (time.thread_time() - worked) / max(1, playback.shown - shown)
