@@ -216,6 +216,8 @@ class TextWriter {
 
   /// The lines of {head}: stock, zero, tools and time, for the person at the machine.
   void set_head() {
+    templates_.set_text("head", "");
+    if (!templates_.has("comment")) return;
     std::vector<std::string> lines;
     const Box& stock = program_.stock;
     if (const Vec3 size = stock.size(); stock.valid() && size.minCoeff() > 0) {

@@ -36,7 +36,6 @@ def wait(condition, seconds=60):
 
 def wait_for_picture():
     wait(lambda: window.view.fine)
-    fine.clear()
 
 
 def save(text=None):
@@ -99,7 +98,6 @@ window.sliders.slider("size").setValue(500)
 wait(lambda: window.view.model.bounds[3] < 4.2)
 seen["slid"] = window.sliders.values["size"]
 seen["untouched"] = model.read_text() == text
-fine.clear()
 window.grab().save(shot.replace(".png", "-sliders.png"))
 save()
 seen["written"] = model.read_text()
