@@ -1,6 +1,6 @@
 /// A filter independent of MeshLab: parameters with defaults computed from the layers, and a
 /// function that returns results. This header does not depend on MeshLab's interface; the folder
-/// meshlab_2020 translates.
+/// host translates.
 #pragma once
 
 #include <functional>

@@ -3,6 +3,7 @@
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/box_intersection_d.h>
+#include <CGAL/version_macros.h>
 
 #include <Eigen/Geometry>
 
@@ -14,6 +15,12 @@ namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
+
+#if CGAL_VERSION_MAJOR < 6
+using Wanted = boost::optional<Mesh*>;
+#else
+using Wanted = std::optional<Mesh*>;
+#endif
 
 /// A face, as far as it matters for the faces that it meets.
 struct Face {
@@ -108,7 +115,7 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
   require_little_work(a.surface_->mesh, b.surface_->mesh);
   try {
     Mesh one = a.surface_->mesh, two = b.surface_->mesh, result;
-    std::array<boost::optional<Mesh*>, 4> wanted;  // in CGAL's order; one call compiles in a third of the time
+    std::array<Wanted, 4> wanted;  // in CGAL's order; one call compiles in a third of the time
     const auto place = operation == Operation::unite       ? pmp::Corefinement::UNION
                        : operation == Operation::intersect ? pmp::Corefinement::INTERSECTION
                                                            : pmp::Corefinement::TM1_MINUS_TM2;

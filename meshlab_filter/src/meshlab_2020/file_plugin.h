@@ -4,6 +4,7 @@
 #include <common/interfaces.h>
 
 #include <QObject>
+#include <functional>
 
 class FieldfabFiles : public QObject, public MeshIOInterface {
   Q_OBJECT
@@ -20,4 +21,7 @@ class FieldfabFiles : public QObject, public MeshIOInterface {
   void initSaveParameter(const QString& format, MeshModel& model, RichParameterList& parameters) override;
   bool save(const QString& format, const QString& file, MeshModel& model, int mask, const RichParameterList& parameters,
             vcg::CallBackPos* bar, QWidget* parent) override;
+
+ private:
+  bool done(const std::function<void()>& work);
 };

@@ -1,13 +1,12 @@
 #include "parameters.h"
 
-#include <common/filter_parameter/rich_parameter_list.h>
-#include <common/meshmodel.h>
+#include "meshlab.h"
 
 namespace fieldfab::meshlab {
 
 QString text_of(const std::string& utf8) { return QString::fromUtf8(utf8.c_str(), static_cast<int>(utf8.size())); }
 
-void show_parameters(const std::vector<Parameter>& parameters, MeshDocument* document, RichParameterList& list) {
+void show_parameters(const std::vector<Parameter>& parameters, const MeshDocument* document, RichParameterList& list) {
   using Kind = Parameter::Kind;
   for (const Parameter& row : parameters) {
     const QString name = text_of(row.name), label = text_of(row.label), help = text_of(row.help);
@@ -18,16 +17,16 @@ void show_parameters(const std::vector<Parameter>& parameters, MeshDocument* doc
     for (const std::string& choice : row.choices) choices << text_of(choice);
     switch (row.kind) {
       case Kind::length:
-        list.addParam(RichAbsPerc(name, static_cast<float>(value), static_cast<float>(row.least),
-                                  static_cast<float>(row.most), label, help));
+        list.addParam(LengthRow(name, static_cast<float>(value), static_cast<float>(row.least),
+                                static_cast<float>(row.most), label, help));
         break;
       case Kind::number: list.addParam(RichFloat(name, static_cast<float>(value), label, help)); break;
       case Kind::whole: list.addParam(RichInt(name, static_cast<int>(value), label, help)); break;
       case Kind::yes_no: list.addParam(RichBool(name, value != 0, label, help)); break;
       case Kind::choice: list.addParam(RichEnum(name, static_cast<int>(value), choices, label, help)); break;
-      case Kind::layer: list.addParam(RichMesh(name, static_cast<int>(value), document, label, help)); break;
+      case Kind::layer: list.addParam(layer_row(name, static_cast<std::size_t>(value), document, label, help)); break;
       case Kind::text: list.addParam(RichString(name, text, label, help)); break;
-      case Kind::file: list.addParam(RichOpenFile(name, text, choices, label, help)); break;
+      case Kind::file: list.addParam(FileRow(name, text, choices, label, help)); break;
     }
   }
 }
@@ -44,7 +43,7 @@ std::vector<Parameter> chosen_parameters(std::vector<Parameter> parameters, cons
       case Kind::whole: row.value = static_cast<double>(list.getInt(name)); break;
       case Kind::yes_no: row.value = list.getBool(name) ? 1.0 : 0.0; break;
       case Kind::choice: row.value = static_cast<double>(list.getEnum(name)); break;
-      case Kind::layer: row.value = static_cast<double>(document->meshList.indexOf(list.getMesh(name))); break;
+      case Kind::layer: row.value = static_cast<double>(chosen_layer(list, name, *document)); break;
       case Kind::text: row.value = list.getString(name).toUtf8().toStdString(); break;
       case Kind::file: row.value = list.getOpenFileName(name).toUtf8().toStdString(); break;
     }

@@ -1,12 +1,11 @@
 #include "layers.h"
 
-#include <common/meshmodel.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
 #include "fieldfab/core/error.h"
+#include "meshlab.h"
 
 namespace fieldfab::meshlab {
 namespace {
@@ -42,7 +41,7 @@ Layer layer_from(const MeshModel& model) {
 
 Document document_from(const MeshDocument& document) {
   Document seen;
-  for (const MeshModel* model : document.meshList) {
+  for (const MeshModel* model : layers_of(document)) {
     if (model == document.mm()) seen.current = seen.layers.size();
     const Layer layer = layer_from(*model);
     constexpr double inf = std::numeric_limits<double>::infinity();
@@ -74,7 +73,7 @@ void write_layer(const Layer& layer, MeshModel& model) {
     for (int corner = 0; corner < 3; ++corner) face->V(corner) = &mesh.vert[t[static_cast<std::size_t>(corner)]];
     ++face;
   }
-  model.UpdateBoxAndNormals();
+  update_box_and_normals(model);
   model.updateDataMask(MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL |
                        (layer.colours.empty() ? MeshModel::MM_NONE : MeshModel::MM_VERTCOLOR));
 }

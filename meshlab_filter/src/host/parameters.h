@@ -11,7 +11,7 @@ class RichParameterList;
 namespace fieldfab::meshlab {
 
 /// Adds rows to a dialog; `document` may be null if no row asks for a layer.
-void show_parameters(const std::vector<Parameter>& parameters, MeshDocument* document, RichParameterList& list);
+void show_parameters(const std::vector<Parameter>& parameters, const MeshDocument* document, RichParameterList& list);
 
 /// Returns the parameters with the values chosen by the user. A layer is its index in the document,
 /// or -1 if the document does not contain it.

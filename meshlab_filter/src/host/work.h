@@ -12,7 +12,7 @@ using Bar = bool(int, const char*);
 
 /// Runs `work` on its own thread. Meanwhile the calling thread, MeshLab's, updates the bar and
 /// handles requests to stop: the bar's result, the Cancel button and the Escape key (the bar of
-/// this version never requests a stop). Rethrows exceptions of the work; cancelled work throws
+/// MeshLab 2020.09 never requests a stop). Rethrows exceptions of the work; cancelled work throws
 /// Error(cancelled).
 void work_beside(const std::function<void(Progress&)>& work, Bar* bar);
 

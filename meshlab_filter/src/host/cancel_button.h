@@ -1,4 +1,4 @@
-/// Cancellation of a filter by the user: this version of MeshLab has a progress bar without a way
+/// Cancellation of a filter by the user: MeshLab has a progress bar without a way
 /// to cancel.
 #pragma once
 
