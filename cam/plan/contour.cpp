@@ -223,7 +223,7 @@ class Block {
         const bool in = value[k] < 0;
         const std::int8_t side_now = in ? 1 : -1;
         exact &= value[k] == 0;
-        (in ? e.inside : e.outside) = {x_[k], y_[k]};
+        (in ? e.inside : e.outside) = std::array{x_[k], y_[k]};
         (in ? e.value_inside : e.value_outside) = value[k];
         if (last[k] == side_now) (in ? e.value_outside : e.value_inside) *= 0.5F;
         last[k] = side_now;

@@ -20,8 +20,8 @@ GLLogStream& logged() {
 }
 
 void set_value(RichParameterList& list, const QString& name, const QString& text) {
-  const auto row = list.findParameter(name);
-  if (row == list.end()) throw MLException("the filter has no parameter " + name);
+  auto row = list.findParameter(name), end = list.end();
+  if (row == end) throw MLException("the filter has no parameter " + name);
   const Value& value = row->value();
   if (value.isBool())
     list.setValue(name, BoolValue(text == "true"));
