@@ -19,6 +19,11 @@ done
 cp -L /etc/resolv.conf /etc/hosts "$root/etc/"
 apt-config dump | grep -i '^Acquire::.*prox' >"$root/etc/apt/apt.conf.d/90proxy" || true
 echo 'APT::Keep-Downloaded-Packages "true";' >"$root/etc/apt/apt.conf.d/91keep"
+if [ -e /etc/ssl/certs/ca-certificates.crt ]; then  # whom this machine trusts, for npm: its network may have a certificate of its own
+  mkdir -p "$root/etc/ssl"
+  cp -L /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/this-machine.crt"
+  export NODE_EXTRA_CA_CERTS=/etc/ssl/this-machine.crt
+fi
 export DEBIAN_FRONTEND=noninteractive PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8
 chroot "$root" apt-get update -q
 exec chroot "$root" /bin/bash -c "$command"

@@ -11,6 +11,9 @@ from conftest import BUILD
 
 import fieldfab
 
+VERSION = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "meshlab"], stdout=subprocess.PIPE).stdout.decode()
+# Later versions leave places that are not finite out when they open a file.
+REMOVES_NAN = not VERSION.startswith("2020")
 SERVER, WINDOW = BUILD / "meshlab" / "meshlabserver", BUILD / "meshlab" / "meshlab"
 REMESH = "Fieldfab: Remesh through a distance field"
 OFFSET = "Fieldfab: Offset"

@@ -7,6 +7,8 @@
 #include <common/plugins/plugin_manager.h>
 #include <common/utilities/load_save.h>
 
+#include <wrap/io_trimesh/io_mask.h>
+
 #include <QApplication>
 #include <QDomDocument>
 #include <QFile>
@@ -65,6 +67,15 @@ void run_script(const QString& path, MeshDocument& document) {
   }
 }
 
+/// Saves places and triangles of a layer, and what the mask names besides.
+void save(const QString& path, MeshModel& layer, int mask) {
+  const QString format = QFileInfo(path).suffix().toUpper();
+  IOPlugin* writer = meshlab::pluginManagerInstance().outputMeshPlugin(format);
+  if (writer == nullptr) throw MLException(format + " is no format that can be written");
+  writer->setLog(&logged());
+  writer->save(format, path, layer, mask, writer->initSaveParameter(format, layer), nullptr);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -73,6 +84,7 @@ int main(int count, char** words) {
   QString script;
   struct Output {
     QString path, layer;
+    int mask = 0;
   };
   QList<Output> outputs;
   for (int i = 0; i + 1 < arguments.size(); ++i) {
@@ -84,6 +96,10 @@ int main(int count, char** words) {
       outputs << Output{arguments[++i], "x"};
     else if (arguments[i] == "-l")
       outputs.last().layer = arguments[++i];
+    else if (arguments[i] == "-m")
+      while (i + 1 < arguments.size() && !arguments[i + 1].startsWith('-'))
+        outputs.last().mask |=
+            arguments[++i] == "vc" ? vcg::tri::io::Mask::IOM_VERTCOLOR : vcg::tri::io::Mask::IOM_VERTQUALITY;
   }
   int code = 0;
   MeshDocument document;
@@ -101,14 +117,12 @@ int main(int count, char** words) {
         for (MeshModel& each : document.meshIterator())
           if (at-- == 0) layer = &each;
       if (layer == nullptr) throw MLException("there is no layer to save as " + output.path);
-      meshlab::saveMeshWithStandardParameters(output.path, *layer, &logged());
+      save(output.path, *layer, output.mask);
       std::cout << output.path.toStdString() << " is written\n";
     }
   } catch (const std::exception& error) {
     std::cout << "Error: " << error.what() << "\n";
     code = 1;
   }
-  for (const auto& [level, line] : logged().logStringList())
-    std::cout << "LOG: " << level << " " << line.toStdString() << "\n";
   return code;
 }
