@@ -3,11 +3,13 @@ Path.Tool.*). Tested with 0.20.2; the later names follow FreeCAD's sources."""
 
 import contextlib
 import importlib
+import os
 
 import FreeCAD
 
 
-def _first(*names):
+def first(*names):
+    """Returns the first of some modules that there is. Raises ImportError if there is none."""
     for name in names:
         try:
             return importlib.import_module(name)
@@ -16,20 +18,31 @@ def _first(*names):
     raise ImportError(f"FreeCAD's Path workbench has none of {', '.join(names)}")
 
 
+def folder():
+    """Returns the folder of FreeCAD's milling workbench, with its tools."""
+    mod = os.path.join(FreeCAD.getResourceDir(), "Mod")
+    return next((path for path in (os.path.join(mod, name) for name in ("CAM", "Path")) if os.path.isdir(path)), None)
+
+
+def operation(name):
+    """Returns the module of one of its operations: Profile, PocketShape, Custom."""
+    return first(f"PathScripts.Path{name}", f"Path.Op.{name}")
+
+
 def jobs():
-    return _first("PathScripts.PathJob", "Path.Main.Job")
+    return first("PathScripts.PathJob", "Path.Main.Job")
 
 
 def stocks():
-    return _first("PathScripts.PathStock", "Path.Main.Stock")
+    return first("PathScripts.PathStock", "Path.Main.Stock")
 
 
 def controllers():
-    return _first("PathScripts.PathToolController", "Path.Tool.Controller")
+    return first("PathScripts.PathToolController", "Path.Tool.Controller")
 
 
 def bits():
-    return _first("PathScripts.PathToolBit", "Path.Tool.Bit")
+    return first("PathScripts.PathToolBit", "Path.Tool.Bit")
 
 
 @contextlib.contextmanager
@@ -49,18 +62,18 @@ def in_one_step():
 def show_job(job):
     """Gives a new job FreeCAD's view provider, if there is a window."""
     if FreeCAD.GuiUp:
-        job.ViewObject.Proxy = _first("PathScripts.PathJobGui", "Path.Main.Gui.Job").ViewProvider(job.ViewObject)
+        job.ViewObject.Proxy = first("PathScripts.PathJobGui", "Path.Main.Gui.Job").ViewProvider(job.ViewObject)
         job.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
         job.ViewObject.Proxy.deleteOnReject = False
 
 
 def utilities():
-    return _first("PathScripts.PathUtil", "Path.Base.Util")
+    return first("PathScripts.PathUtil", "Path.Base.Util")
 
 
 def post(name):
     """Returns the module of a post processor. Its function is export(objects, filename, arguments)."""
-    return _first(f"PathScripts.post.{name}_post", f"Path.Post.scripts.{name}_post")
+    return first(f"PathScripts.post.{name}_post", f"Path.Post.scripts.{name}_post")
 
 
 def is_job(obj):

@@ -7,11 +7,11 @@ import FreeCAD
 import numpy as np
 import pytest
 
-from fieldfab_workbench import kernel, tool_bits, ways, work, workflow
+from fieldfab_workbench import kernel, path_shim, tool_bits, ways, work, workflow
 from fieldfab_workbench.objects import cam_job, cam_operation, cam_setup, cam_tool, frep_solid, machine_program
 from fieldfab_workbench.objects import solid as solids
 
-BITS = os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Bit")
+BITS = os.path.join(path_shim.folder(), "Tools", "Bit")
 DOME = "sphere(r = 12) & box(40, 40, 16)"
 
 

@@ -128,14 +128,13 @@ def test_a_part_of_freecads_is_the_jobs_own_model(document):
 
 
 def test_freecads_dress_ups_take_them_and_are_simulated(document, tmp_path):
-    from PathScripts import PathDressupRampEntry
-
+    ramps = path_shim.first("PathScripts.PathDressupRampEntry", "Path.Dressup.Gui.RampEntry")
     program = programmed(document, "sphere(r = 12) & box(40, 40, 6)", ("profile",),
                          tool={"diameter": 4, "length": 40, "feed": 600, "plunge": 200})
     job, [path] = path_jobs.to_job(program)
     document.recompute()
     dressed = document.addObject("Path::FeaturePython", "RampEntryDressup")
-    dressed.Proxy = PathDressupRampEntry.ObjectDressup(dressed)
+    dressed.Proxy = ramps.ObjectDressup(dressed)
     job.Proxy.addOperation(dressed, path, True)
     dressed.Base = path
     dressed.Proxy.setup(dressed)
@@ -189,12 +188,10 @@ def test_machines_that_speak_no_gcode_are_told(document):
 
 def freecads_job(document):
     """A box of 40 x 30 x 10 with a round hole of 16 mm, milled by FreeCAD's own profile and pocket operations."""
-    from PathScripts import PathJob, PathPocketShape, PathProfile
-
     solid = document.addObject("Part::Feature", "Plate")
     solid.Shape = Part.makeBox(40, 30, 10).cut(Part.makeCylinder(8, 10, FreeCAD.Vector(20, 15, 4)))
     document.recompute()
-    job = PathJob.Create("Job", [solid])
+    job = path_shim.jobs().Create("Job", [solid])
     for axis in "XY":
         setattr(job.Stock, f"Ext{axis}neg", 3)
         setattr(job.Stock, f"Ext{axis}pos", 3)
@@ -206,9 +203,9 @@ def freecads_job(document):
     clone = job.Model.Group[0]
     floor = next(f"Face{i + 1}" for i, face in enumerate(clone.Shape.Faces)
                  if abs(face.CenterOfMass.z - 4) < 1e-6 and abs(face.Area - math.pi * 64) < 1e-3)
-    pocket = PathPocketShape.Create("Pocket")
+    pocket = path_shim.operation("PocketShape").Create("Pocket")
     pocket.Base = [(clone, floor)]
-    profile = PathProfile.Create("Profile")
+    profile = path_shim.operation("Profile").Create("Profile")
     profile.processHoles = False
     document.recompute()
     return job

@@ -6,7 +6,7 @@ import os
 import FreeCAD
 import pytest
 
-from fieldfab_workbench import work
+from fieldfab_workbench import path_shim, work
 from fieldfab_workbench.objects import combine, frep_solid, programs, set_ups, simulation
 from fieldfab_workbench.objects import solid as solids
 
@@ -186,15 +186,13 @@ def test_programs_of_other_objects(document, slot):
 
 
 def test_freecads_own_jobs(document):
-    from PathScripts import PathCustom, PathJob
-
     part = document.addObject("Part::Box", "Part")
     part.Length, part.Width, part.Height = 40, 30, 10
     document.recompute()
-    job = PathJob.Create("Job", [part], None)
+    job = path_shim.jobs().Create("Job", [part], None)
     tool = job.Tools.Group[0]
     tool.Tool.Diameter, tool.HorizFeed, tool.VertFeed = 6, 10, 5
-    slot = PathCustom.Create("Custom")
+    slot = path_shim.operation("Custom").Create("Custom")
     slot.ToolController = tool
     slot.Gcode = ["G0 X-5 Y15 Z20", "G1 Z8 F5", "G1 X45 F10", "G0 Z20"]
     document.recompute()

@@ -19,7 +19,7 @@ from fieldfab_workbench.panels.tool_table import ToolTable
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
 Button = QtWidgets.QDialogButtonBox
-BITS = os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Bit")
+BITS = os.path.join(path_shim.folder(), "Tools", "Bit")
 
 
 @pytest.fixture
