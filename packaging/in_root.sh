@@ -19,6 +19,8 @@ done
 cp -L /etc/resolv.conf /etc/hosts "$root/etc/"
 apt-config dump | grep -i '^Acquire::.*prox' >"$root/etc/apt/apt.conf.d/90proxy" || true
 echo 'APT::Keep-Downloaded-Packages "true";' >"$root/etc/apt/apt.conf.d/91keep"
+# A mirror may be weeks behind; what it serves is still signed.
+echo 'Acquire::Check-Valid-Until "false";' >"$root/etc/apt/apt.conf.d/92behind"
 if [ -e /etc/ssl/certs/ca-certificates.crt ]; then  # whom this machine trusts, for npm: its network may have a certificate of its own
   mkdir -p "$root/etc/ssl"
   cp -L /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/this-machine.crt"
