@@ -42,6 +42,8 @@ def no_shape(document):
     return shape
 
 
+# FreeCAD 1.x writes the error of an object twice: as the exception, and with the object's name.
+LINES = 1 if FreeCAD.Version()[0] == "0" else 2
 MISTAKES = {
     "a text that is none": lambda d: add(d, frep_solid.FrepSolid, Expression="sphere(r ="),
     "one source only": lambda d: add(d, combine.Combine),
@@ -67,7 +69,8 @@ def test_a_mistake_is_a_line(mistake, report):  # noqa: F811
     assert not obj.isValid()
     # without FreeCAD's own line
     said = [line for line in report().splitlines() if "Recompute failed! Please check report view." not in line]
-    assert len(said) == 1 and "Fieldfab: " in said[0] and obj.getStatusString().splitlines()[0] in said[0], said
+    assert "Fieldfab: " in said[0] and all(obj.getStatusString().splitlines()[0] in line for line in said), said
+    assert len(said) == LINES, said
 
 
 def test_a_cancel_is_a_line(report, monkeypatch):  # noqa: F811
@@ -80,7 +83,7 @@ def test_a_cancel_is_a_line(report, monkeypatch):  # noqa: F811
     monkeypatch.setattr(work, "run", stopped)
     document.recompute()
     said = [line for line in report().splitlines() if "Please check" not in line]
-    assert len(said) == 1 and "FrepSolid: cancelled; it is unchanged" in said[0], said
+    assert len(said) == LINES and all("FrepSolid: cancelled; it is unchanged" in line for line in said), said
 
 
 def test_a_python_error_of_ours_keeps_its_traceback(report):  # noqa: F811

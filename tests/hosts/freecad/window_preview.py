@@ -135,7 +135,7 @@ def test_closer_is_finer(document, panels):
 
     wait(lambda: preview.stage == "detail" and finest() >= 2, 40, "detail")
     window.shot("close")
-    camera.height = 200
+    camera.height = 400
     wait(lambda: preview.stage == "final", 40, "the whole again")
     press(Button.Cancel)
 

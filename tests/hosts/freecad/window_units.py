@@ -25,11 +25,17 @@ CT = pathlib.Path(__file__).resolve().parents[2] / "data" / "ct"
 METRIC = re.compile(r"\d *mm\b|\(mm|, mm\b|\bmm[³/]|\u2300 mm")
 
 
+def use_units(schema):
+    """Chooses units as in the preferences; in FreeCAD 1.x each new document takes them over."""
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", schema)
+    FreeCAD.Units.setSchema(schema)
+
+
 @pytest.fixture(autouse=True)
 def inches():
-    FreeCAD.Units.setSchema(US_CUSTOMARY)
+    use_units(US_CUSTOMARY)
     yield
-    FreeCAD.Units.setSchema(INTERNAL)
+    use_units(INTERNAL)
 
 
 def texts(form):
