@@ -10,6 +10,7 @@ import pytest
 import window
 from window import Heartbeat, live, press, wait
 
+from fieldfab_workbench import path_shim
 from fieldfab_workbench.commands import cam as commands
 from fieldfab_workbench.icons import icon
 from fieldfab_workbench.objects import cam_setup, frep_solid
