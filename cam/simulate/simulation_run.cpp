@@ -159,9 +159,12 @@ void SimulationRun::move(const Motion& motion) {
   if (way.size() == 1 && !known_) add(way[0], way[0], motion, tip, 0);
   for (std::size_t i = 1; i < way.size(); ++i)
     add(way[i - 1], way[i], motion, tip, (way[i].tip - way[i - 1].tip).norm());
-  if (playback_)
-    playback_->add({motion.line, tool.number, rapid, report_.seconds, motion.end, program_number_},
+  if (playback_) {
+    AxisValues axes = motion.end;  // x, y, z from the part's zero, as a machine's display shows them
+    for (std::size_t a = 0; a < 3; ++a) axes.at[a] -= setup_.zero[static_cast<Eigen::Index>(a)];
+    playback_->add({motion.line, tool.number, rapid, report_.seconds, axes, program_number_},
                    {mounted_, &mounted_->solid}, tip, way);
+  }
   report_.poses += way.size() - 1;
   at_ = motion.end;
   offset_ = motion.tool_offset;

@@ -170,7 +170,7 @@ def test_a_smooth_union_is_larger_and_a_smooth_intersection_smaller(tmp_path):
     assert volumes[2, 4] < 0.998 * volumes[2, 0]
 
 
-@pytest.mark.parametrize("lattice", [0, 1, 2])
+@pytest.mark.parametrize("lattice", [0, 1, 2, 5, 8])  # in FreeCAD all kinds are tested
 def test_lattice_infill(tmp_path, lattice):
     """The infill's volume lies between that of the wall and of the cube; without a wall it is the lattice's share of
     the cube."""

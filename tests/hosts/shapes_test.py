@@ -166,6 +166,78 @@ def test_lattices_repeat_halve_space_and_have_their_symmetries():
     assert low < high
 
 
+def to_segments(starts, ends):
+    """Returns the distance to the nearest of some segments, as a function of x, y, z."""
+    starts, ends = np.asarray(starts, float), np.asarray(ends, float)
+
+    def distance(x, y, z):
+        best = np.full(len(x), np.inf)
+        for a, b in zip(starts, ends):
+            p, d = np.stack([x, y, z], -1) - a, b - a
+            share = np.clip(p @ d / (d @ d), 0, 1)
+            best = np.minimum(best, np.linalg.norm(p - share[:, None] * d, axis=1))
+        return best
+
+    return distance
+
+
+def segments(kind, period, cubes=4):
+    """Returns the struts of the cubes around the origin, one by one."""
+    signs, half = (-1, 1), period / 2
+    corners = np.array([[x, y, z] for x in signs for y in signs for z in signs]) * half
+    faces = np.array([s * np.eye(3)[axis] for axis in range(3) for s in signs]) * half
+    close = lambda many, others, length: [(a, b) for a in many for b in others
+                                          if abs(np.linalg.norm(a - b) - length) < 1e-9]
+    in_cube = {
+        "cubic": close(corners, corners, period),
+        "bcc": [(np.zeros(3), corner) for corner in corners],
+        "fcc": close(corners, corners, period * math.sqrt(2)),
+        "octet": close(corners, corners, period * math.sqrt(2)) + close(faces, faces, half * math.sqrt(2)),
+    }[kind]
+    steps = np.arange(-cubes, cubes + 1) * period
+    middles = [np.array([x, y, z]) for x in steps for y in steps for z in steps
+               if max(abs(x), abs(y), abs(z)) < 4 + period]
+    return [a + m for m in middles for a, _ in in_cube], [b + m for m in middles for _, b in in_cube]
+
+
+@covers("cubic_struts", "bcc_struts", "fcc_struts", "octet_struts")
+def test_struts_are_the_distance_to_their_segments():
+    for kind in ("cubic", "bcc", "fcc", "octet"):
+        struts = getattr(s, f"{kind}_struts")
+        same(struts(3), to_segments(*segments(kind, 3.0)))
+        same(s.shell(struts(3), 0.4), lambda x, y, z: to_segments(*segments(kind, 3.0))(x, y, z) - 0.2)
+
+
+@covers("honeycomb_walls")
+def test_honeycombs_are_the_distance_to_the_borders_of_cells():
+    middles = np.array([[2.5 * (i + j / 2), 2.5 * j * math.sqrt(3) / 2] for i in range(-8, 9) for j in range(-8, 9)])
+
+    def expected(x, y, z):
+        """The distance to the line between the two nearest middles, of all pairs with the nearest."""
+        points = np.stack([x, y], -1)
+        away = np.linalg.norm(points[:, None] - middles, axis=2)
+        nearest = middles[away.argmin(1)]
+        to_others = middles[None] - nearest[:, None]
+        length = np.linalg.norm(to_others, axis=2)
+        length[length < 1e-9] = np.inf
+        along = ((points - nearest)[:, None] * to_others).sum(2) / length
+        return np.where(np.isinf(length), np.inf, length / 2 - along).min(1)
+
+    same(s.honeycomb_walls(2.5), expected)
+
+
+@covers("spinodal")
+def test_spinodal_walls_halve_space_and_have_about_their_thickness():
+    x, y, z = RANDOM.uniform(-40, 40, (3, 100000))
+    values = s.spinodal(5)(x, y, z)
+    assert abs((values < 0).mean() - 0.5) < 0.03
+    step = 1e-3
+    near = np.abs(values) < 0.05
+    shifted = [s.spinodal(5)(*(np.array([x, y, z])[:, near] + step * np.eye(3)[axis][:, None])) for axis in range(3)]
+    slopes = np.linalg.norm([(there - values[near]) / step for there in shifted], axis=0)
+    assert np.mean(slopes) == pytest.approx(1, abs=0.15)
+
+
 @covers("thread")
 def test_threads():
     bolt = s.thread(3, 1, 8)

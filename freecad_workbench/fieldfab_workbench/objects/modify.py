@@ -23,7 +23,18 @@ OPERATIONS = marked({
 })
 # {operation: the property whose magnitude is the needed distance from the source's surface}
 REACHES = {"Offset": "Distance", "Shell": "Wall", "Lattice infill": "Wall"}
-LATTICES = marked(("gyroid", "schwarz_p", "diamond"))
+# {kind of lattice: its function of the library}
+LATTICES = marked({
+    "gyroid": "gyroid",
+    "schwarz_p": "schwarz_p",
+    "diamond": "diamond",
+    "spinodal": "spinodal",
+    "cubic struts": "cubic_struts",
+    "BCC struts": "bcc_struts",
+    "FCC struts": "fcc_struts",
+    "octet struts": "octet_struts",
+    "honeycomb": "honeycomb_walls",
+})
 
 
 def _mirrored(field, normal, centre):
@@ -45,12 +56,15 @@ class Modify(Solid):
                             "How the source is modified").Operation = list(OPERATIONS)
         if "Lattice" not in obj.PropertiesList:
             obj.addProperty("App::PropertyEnumeration", "Lattice", "Modify", "Kind of lattice").Lattice = list(LATTICES)
+        elif obj.getEnumerationsOfProperty("Lattice") != list(LATTICES):  # of an earlier version
+            chosen, obj.Lattice = obj.Lattice, list(LATTICES)
+            obj.Lattice = chosen
         add = functools.partial(self.add, obj)
         add("Link", "Source", "Modify", "A solid, mesh, Part object or body")
         add("Distance", "Distance", "Modify", "Distance outwards; negative values inwards", 1)
         add("Length", "Wall", "Modify", "Thickness of the wall, inwards; 0 for a lattice without one", 1.2)
         add("Length", "Period", "Modify", "Edge length of a lattice cell", 10)
-        add("Length", "Strut", "Modify", "Thickness of the lattice's walls", 1)
+        add("Length", "Strut", "Modify", "Thickness of the lattice's walls or struts", 1)
         add("Vector", "Direction", "Modify",
             "Normal of the mirror plane, or direction of the axis", FreeCAD.Vector(0, 0, 1))
         add("Vector", "Centre", "Modify", "Point on the mirror plane or axis")
@@ -133,7 +147,7 @@ class Modify(Solid):
     @staticmethod
     def _lattice_infill(field, Wall, Lattice, Period, Strut):
         shapes = kernel.load().shapes
-        lattice = shapes.shell(getattr(shapes, Lattice)(Period), Strut)
+        lattice = shapes.shell(getattr(shapes, LATTICES[Lattice])(Period), Strut)
         return (field - field.offset(-Wall)) | (field & lattice) if Wall else field & lattice
 
     @staticmethod

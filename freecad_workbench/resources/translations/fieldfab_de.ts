@@ -480,8 +480,8 @@
         <translation>Stegdicke</translation>
     </message>
     <message>
-        <source>Thickness of the lattice's walls</source>
-        <translation>Dicke der Gitterwände</translation>
+        <source>Thickness of the lattice's walls or struts</source>
+        <translation>Dicke der Wände oder Stäbe des Gitters</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -1749,6 +1749,30 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>diamond</source>
         <translation>Diamant</translation>
+    </message>
+    <message>
+        <source>spinodal</source>
+        <translation>Spinodal</translation>
+    </message>
+    <message>
+        <source>cubic struts</source>
+        <translation>Stäbe kubisch</translation>
+    </message>
+    <message>
+        <source>BCC struts</source>
+        <translation>Stäbe kubisch raumzentriert (BCC)</translation>
+    </message>
+    <message>
+        <source>FCC struts</source>
+        <translation>Stäbe kubisch flächenzentriert (FCC)</translation>
+    </message>
+    <message>
+        <source>octet struts</source>
+        <translation>Stäbe Oktett</translation>
+    </message>
+    <message>
+        <source>honeycomb</source>
+        <translation>Waben</translation>
     </message>
     <message>
         <source>{label}: choose a Source</source>

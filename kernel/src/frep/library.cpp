@@ -286,6 +286,22 @@ void add_lattices(Functions& all) {
       {"diamond", group, {with("period", 1)}, "neither", "the same", "shell(diamond(5), 0.8) & sphere(6)", [](A a) {
          return diamond(a[0]);
        }});
+  const auto repeated = [&](std::string_view name, std::string_view quality, std::string_view meaning,
+                            std::string_view example, E (*make)(const E&)) {
+    all.push_back({name, group, {with("period", 1)}, quality, meaning, example, [make](A a) { return make(a[0]); }});
+  };
+  repeated("cubic_struts", "exact", "edges of cubes; shell gives struts their thickness, which may vary",
+           "shell(cubic_struts(5), 0.6) & box(5.6, 5.6, 5.6)", cubic_struts);
+  repeated("bcc_struts", "exact", "from the middle of each cube to its corners (body-centred cubic)",
+           "shell(bcc_struts(5), 0.6) & box(5.6, 5.6, 5.6)", bcc_struts);
+  repeated("fcc_struts", "exact", "diagonals of the cubes' faces (face-centred cubic)",
+           "shell(fcc_struts(5), 0.6) & box(5.6, 5.6, 5.6)", fcc_struts);
+  repeated("octet_struts", "exact", "those, and octahedra between the middles of the faces",
+           "shell(octet_struts(5), 0.4) & box(5.4, 5.4, 5.4)", octet_struts);
+  repeated("honeycomb_walls", "exact", "hexagons along z; the period is between opposite walls",
+           "shell(honeycomb_walls(3), 0.6) & box(12, 12, 4)", honeycomb_walls);
+  repeated("spinodal", "neither", "smooth walls without order, like a foam's", "shell(spinodal(6), 0.8) & sphere(8)",
+           spinodal);
 }
 
 void add_sets(Functions& all) {

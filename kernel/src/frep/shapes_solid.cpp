@@ -83,6 +83,64 @@ E diamond(const E& period) {
          (k * 1.5);
 }
 
+namespace {
+
+/// Distance from the middle of a cube of a lattice along an axis, from 0 to period / 2: its faces are mirrors.
+E folded(const E& along, const E& period) { return abs(mod(along + period / 2.0, period) - period / 2.0); }
+
+/// Distance to the line that is parallel to the direction (0, 1, 1) of three axes, at `away` along the first.
+E to_diagonal(const E& away, const E& b, const E& c) { return sqrt(square(b - c) / 2.0 + square(away)); }
+
+}  // namespace
+
+E cubic_struts(const E& period) {
+  const E h = period / 2.0, a = h - folded(x(), period), b = h - folded(y(), period), c = h - folded(z(), period);
+  return min(min(length(a, b), length(b, c)), length(c, a));
+}
+
+E bcc_struts(const E& period) {
+  const E a = folded(x(), period), b = folded(y(), period), c = folded(z(), period);
+  return sqrt((square(a - b) + square(b - c) + square(c - a)) / 3.0);
+}
+
+E fcc_struts(const E& period) {
+  const E h = period / 2.0, a = folded(x(), period), b = folded(y(), period), c = folded(z(), period);
+  return min(min(to_diagonal(a - h, b, c), to_diagonal(b - h, c, a)), to_diagonal(c - h, a, b));
+}
+
+E octet_struts(const E& period) {
+  const E h = period / 2.0, a = folded(x(), period), b = folded(y(), period), c = folded(z(), period);
+  const E octahedron = min(min(to_diagonal(a, b, h - c), to_diagonal(b, c, h - a)), to_diagonal(c, a, h - b));
+  return min(fcc_struts(period), octahedron);
+}
+
+E honeycomb_walls(const E& period) {
+  // The middles of the hexagons are two rectangular lattices; walls are at x = +-period / 2 of each middle.
+  const double sqrt3 = std::sqrt(3.0);
+  const auto from_middle = [&](const E& u, const E& v) {
+    const E a = folded(u, period), b = folded(v, period * sqrt3);
+    return max(a, a / 2.0 + b * (sqrt3 / 2));
+  };
+  const E h = period / 2.0;
+  return h - min(from_middle(x(), y()), from_middle(x() + h, y() + h * sqrt3));
+}
+
+E spinodal(const E& period) {
+  constexpr int waves = 12;
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  E sum = 0.0;
+  for (int i = 0; i < waves; ++i) {
+    // Directions of a Fibonacci lattice on half of the sphere; phases by the golden section.
+    const double height = (i + 0.5) / waves, turn = 2 * pi * i / golden, phase = 2 * pi * (i * i) / golden;
+    const double across = std::sqrt(1 - height * height);
+    const E along = x() * (across * std::cos(turn)) + y() * (across * std::sin(turn)) + z() * height;
+    sum = sum + cos(along * (2 * pi / period) + phase);
+  }
+  // The mean slope of such a sum where it is 0, so that walls have about the thickness given.
+  const double slope = std::sqrt(waves / 2.0) * std::sqrt(8 / (3 * pi));
+  return sum * period / (2 * pi * slope);
+}
+
 E thread(const E& radius, const E& pitch, const E& height) {
   // ISO 68-1: flanks at 30 degrees, crests an eighth of the pitch wide, roots a quarter; so the
   // depth is 5/8 of the full triangle.

@@ -1,6 +1,8 @@
 // Wall filled with a lattice.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "../solids.h"
 #include "all.h"
 #include "fieldfab/core/error.h"
@@ -11,13 +13,34 @@
 namespace fieldfab::meshlab {
 namespace {
 
+struct Lattice {
+  const char* name;
+  frep::Expression (*of_period)(const frep::Expression&);
+};
+
+constexpr std::array<Lattice, 9> lattices{{{"gyroid", frep::shapes::gyroid},
+                                           {"Schwarz P", frep::shapes::schwarz_p},
+                                           {"diamond", frep::shapes::diamond},
+                                           {"spinodal", frep::shapes::spinodal},
+                                           {"cubic struts", frep::shapes::cubic_struts},
+                                           {"BCC struts", frep::shapes::bcc_struts},
+                                           {"FCC struts", frep::shapes::fcc_struts},
+                                           {"octet struts", frep::shapes::octet_struts},
+                                           {"honeycomb", frep::shapes::honeycomb_walls}}};
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const Lattice& lattice : lattices) all.emplace_back(lattice.name);
+  return all;
+}
+
 std::vector<Parameter> parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{
-      choice_parameter("Lattice", "Lattice", "Kind of periodic surface, thickened to a wall.",
-                       {"gyroid", "Schwarz P", "diamond"}),
+      choice_parameter("Lattice", "Lattice", "Kind of lattice: walls along a surface, or struts.", names()),
       length_parameter("Period", "Period (mm)", "Edge length of a lattice cell.", diagonal / 10, 0, diagonal),
-      length_parameter("Strut", "Lattice wall (mm)", "Thickness of the lattice's wall.", diagonal / 60, 0, diagonal),
+      length_parameter("Strut", "Lattice thickness (mm)", "Thickness of the lattice's walls or struts.", diagonal / 60,
+                       0, diagonal),
       length_parameter("Wall", "Outer wall (mm)",
                        "Thickness of the wall around it, inwards from the surface; 0 leaves the lattice bare.",
                        diagonal / 60, 0, diagonal)};
@@ -26,12 +49,9 @@ std::vector<Parameter> parameters(const Document& document) {
 }
 
 frep::Expression surface(int lattice, double period) {
-  switch (lattice) {
-    case 0: return frep::shapes::gyroid(period);
-    case 1: return frep::shapes::schwarz_p(period);
-    case 2: return frep::shapes::diamond(period);
-    default: throw Error(ErrorKind::bad_input, "Lattice", fmt::format("is 0, 1 or 2, not {}", lattice));
-  }
+  if (lattice < 0 || static_cast<std::size_t>(lattice) >= lattices.size())
+    throw Error(ErrorKind::bad_input, "Lattice", fmt::format("is 0 to {}, not {}", lattices.size() - 1, lattice));
+  return lattices[static_cast<std::size_t>(lattice)].of_period(period);
 }
 
 Result run(const Values& values, Progress& progress) {
@@ -58,8 +78,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter lattice_infill() {
   return {"Fieldfab: Lattice infill",
-          "Makes the solid lighter: a wall of constant thickness, filled with a gyroid, Schwarz P or diamond "
-          "lattice. The result is a new layer.",
+          "Makes the solid lighter: a wall of constant thickness, filled with a lattice of walls (gyroid, Schwarz P, "
+          "diamond, spinodal, honeycomb) or struts (cubic, BCC, FCC, octet). The result is a new layer.",
           Filter::Group::remeshing,
           true,
           false,

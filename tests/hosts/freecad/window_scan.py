@@ -249,6 +249,7 @@ def test_a_missing_file_is_found_again(document, opened, tmp_path):
 def test_ok_computes_beside_the_window(document, opened):
     panel = brought(opened, document, CT / "engine.nii.gz")
     panel.denoise.setCurrentIndex(panel.denoise.findData("median"))
+    panel.voxel.setValue(0.5)  # so that the solid takes longer than the pictures below, however fast the machine is
     wait(panel.work.idle, what="the picture")
     [box] = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible()]
     box.button(Button.Ok).click()

@@ -64,6 +64,17 @@ E gyroid(const E& period);
 E schwarz_p(const E& period);
 E diamond(const E& period);
 
+// Struts and walls without thickness, repeated without end: the value is the distance to the nearest one, never
+// negative. shell() gives them their thickness, which may vary. Exact.
+E cubic_struts(const E& period);     ///< edges of cubes, whose corners are at odd multiples of period / 2
+E bcc_struts(const E& period);       ///< from the middle of each cube to its corners (body-centred cubic)
+E fcc_struts(const E& period);       ///< diagonals of the cubes' faces (face-centred cubic)
+E octet_struts(const E& period);     ///< those, and edges of octahedra between the middles of the faces
+E honeycomb_walls(const E& period);  ///< hexagons along z; `period` is between opposite walls
+/// Smooth walls without order, like a foam's: the zero set of twelve plane waves of wavelength `period`, of different
+/// directions (Cahn 1965: spinodal decomposition). Negative on one side. Neither.
+E spinodal(const E& period);
+
 // Machine elements.
 /// A flat involute gear. `module` is the pitch diameter divided by the number of teeth, mm; `pressure_angle` is in
 /// radians. Teeth are thinner by `backlash` mm at the pitch circle. A bound.

@@ -18,7 +18,7 @@ class Playback {
     int tool = 0;  ///< tool number
     bool rapid = false;
     double seconds = 0;  ///< machine time from the start of the program to the end of this move, seconds
-    AxisValues axes{};   ///< axis positions at the end
+    AxisValues axes{};   ///< axis positions at the end; x, y, z from the part's zero
     int program = 0;     ///< index of the program in a sequence
   };
   /// State of the machine at a moment.
@@ -26,7 +26,7 @@ class Playback {
     std::size_t move = 0;  ///< the current move; the last one after the end
     double share = 1;      ///< completed fraction, from 0 to 1
     ToolPose pose;         ///< pose of the tool, part coordinates
-    AxisValues axes;       ///< axis positions; linear interpolation on an arc during which rotary axes move
+    AxisValues axes;       ///< as in Move; linear interpolation on an arc during which rotary axes move
   };
 
   /// Starts with an uncut stock. Checkpoints take up to `most_bytes` of memory in addition.
