@@ -106,7 +106,7 @@ void Cycles::repeat(const Block& block, Hole hole, int repeats) {
     }
     make(hole);
     height = hole.clear;
-    flow_.count();
+    count_.add();
     if (i % 1024 == 0) progress_.check();
   }
 }
@@ -124,7 +124,7 @@ void Cycles::make(const Hole& hole) {
         break;
     }
   };
-  make_hole(hole, take, [this] { flow_.count(); });
+  make_hole(hole, take, [this] { count_.add(); });
 }
 
 }  // namespace fieldfab::cam::gcode

@@ -19,11 +19,12 @@ Interpreter::Interpreter(std::string_view text, const std::string& file, const R
       predefined_(control_, stream_, flow_),
       control_(options, predefined_),
       stream_(control_, sink),
-      flow_(text, file, options.folders, options.most_blocks, control_.parameters),
+      count_(options.most_blocks),
+      flow_(text, file, options.folders, count_, control_.parameters),
       decoder_(control_.parameters, options.dialect, options.block_delete,
                [this](std::string what) { control_.note(std::move(what)); }),
       offsets_(control_, stream_),
-      motions_(control_, stream_, flow_, progress) {
+      motions_(control_, stream_, count_, progress) {
   flow_.on_return([this] { restore_on_return(); });
 }
 
@@ -31,9 +32,9 @@ std::vector<ReadingNote> Interpreter::run() {
   const auto place = [this] { return fmt::format("{}:{}", flow_.file(), flow_.line()); };
   try {
     while (!finished_ && step()) {
-      if (flow_.lines() % 1024 == 0) {
+      if (count_.lines() % 1024 == 0) {
         progress_.check();
-        if (flow_.lines() % 65536 == 0) progress_.report(flow_.share(), "reading the program");
+        if (count_.lines() % 65536 == 0) progress_.report(flow_.share(), "reading the program");
       }
     }
     if (!finished_) {

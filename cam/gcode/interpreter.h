@@ -46,6 +46,7 @@ class Interpreter {
   ControlParameters predefined_;
   Control control_;
   MotionStream stream_;
+  LineCount count_;
   Flow flow_;
   Decoder decoder_;
   Offsets offsets_;

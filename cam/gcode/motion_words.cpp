@@ -251,7 +251,7 @@ void MotionWords::thread(const Block& block) {
     motion.feed = move.pitch * speed;
     stream_.move(motion);
   };
-  cut_thread(thread, go, [this] { flow_.count(); });
+  cut_thread(thread, go, [this] { count_.add(); });
 }
 
 }  // namespace fieldfab::cam::gcode

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "cycles.h"
-#include "flow.h"
 #include "motion_stream.h"
 #include "splines.h"
 
@@ -13,8 +12,8 @@ namespace fieldfab::cam::gcode {
 /// Carries out the motion of a block: straight moves, arcs, splines, canned cycles, threads, probing, home positions.
 class MotionWords {
  public:
-  MotionWords(Control& control, MotionStream& stream, Flow& flow, Progress& progress)
-      : control_(control), stream_(stream), flow_(flow), cycles_(control, stream, flow, progress) {}
+  MotionWords(Control& control, MotionStream& stream, LineCount& count, Progress& progress)
+      : control_(control), stream_(stream), count_(count), cycles_(control, stream, count, progress) {}
 
   /// Carries out a block's motion, if it has one, by its motion code or the one in force. Throws Refusal.
   void carry_out(const Block& block);
@@ -37,7 +36,7 @@ class MotionWords {
 
   Control& control_;
   MotionStream& stream_;
-  Flow& flow_;
+  LineCount& count_;
   Cycles cycles_;
   std::optional<Nurbs> nurbs_;        // from G5.2 to G5.3
   std::optional<Vec2> last_control_;  // G5: last control point of the previous cubic

@@ -10,6 +10,7 @@
 #include "gcode/decoder.h"
 #include "gcode/holes.h"
 #include "gcode/machine_motions.h"
+#include "gcode/sources.h"
 #include "gcode/splines.h"
 #include "gcode/threads.h"
 #include "gcode/travel.h"
@@ -292,6 +293,39 @@ struct NoPredefined final : PredefinedParameters {
   [[nodiscard]] double numbered(int) const override { return 0; }
   [[nodiscard]] std::optional<double> named(std::string_view) const override { return std::nullopt; }
 };
+
+FlowWord flow_word(const std::string& text) {
+  NoPredefined predefined;
+  const Parameters parameters(predefined);
+  Line source;
+  source.read(text);
+  FlowWord word;
+  EXPECT_TRUE(read_flow_word(source, parameters, word, true)) << text;
+  return word;
+}
+
+TEST(sources, flow_words) {
+  EXPECT_EQ(flow_word("o100 sub").keyword, "sub");
+  EXPECT_EQ(flow_word("N20 O[50+50] endsub [3]").label, "100");
+  EXPECT_EQ(flow_word("o<Drill> elseif [1]").keyword, "elseif");
+  EXPECT_EQ(flow_word("O0012").label, "12");
+  EXPECT_THROW(flow_word("o1 jump"), Refusal);
+}
+
+TEST(sources, places_of_subroutines_and_programs) {
+  NoPredefined predefined;
+  const Parameters parameters(predefined);
+  LineCount count(100);
+  Sources sources("G0 X1\nO5\no<a> sub\nG0 X2\no<a> endsub\n", "part.ngc", {}, count, parameters);
+  const Position start{&sources.program()};
+  EXPECT_EQ(sources.subroutine("a", start).line, 3);
+  EXPECT_EQ(sources.program(5, start).line, 2);
+  EXPECT_EQ(count.lines(), 5U);
+  EXPECT_EQ(sources.subroutine("a", start).line, 3);  // known without a search
+  EXPECT_EQ(count.lines(), 5U);
+  EXPECT_THROW(sources.subroutine("b", start), Refusal);
+  EXPECT_THROW(sources.program(6, start), Refusal);
+}
 
 Circle circle(const std::string& text, const Vec2& from, const Vec2& to, const Modes& modes = {}) {
   NoPredefined predefined;
