@@ -31,7 +31,7 @@ std::string variable_name(std::string_view& rest) {
   std::size_t length = 0;
   while (length < rest.size() && (letter(rest[length]) || digit(rest[length]))) ++length;
   if (length == 0) refuse("& without the name of a variable");
-  const std::string name = upper(rest.substr(0, length));
+  std::string name = upper(rest.substr(0, length));
   rest.remove_prefix(length);
   return name;
 }
