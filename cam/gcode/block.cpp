@@ -19,90 +19,37 @@ constexpr std::array<Letter, 256> letter_kinds() {
 }
 constexpr std::array<Letter, 256> kinds = letter_kinds();
 
+constexpr std::size_t g_codes = 1000;  // times ten
+
+/// The modal group of each G code.
+constexpr auto g_groups = [] {
+  std::array<std::int8_t, g_codes> groups{};
+  for (std::int8_t& group : groups) group = Block::none;
+  const auto add = [&](GGroup group, std::initializer_list<std::size_t> codes) {
+    for (const std::size_t code : codes) groups[code] = static_cast<std::int8_t>(group);
+  };
+  add(GGroup::action, {40, 100, 280, 281, 300, 301, 520, 920, 921, 922, 923});
+  add(GGroup::motion, {0,   10,  20,  30,  50,  51,  52,  53,  330, 331, 382, 383, 384, 385,
+                       730, 740, 760, 800, 810, 820, 830, 840, 850, 860, 870, 880, 890});
+  add(GGroup::plane, {170, 180, 190});
+  add(GGroup::distance, {900, 910});
+  add(GGroup::arc_distance, {901, 911});
+  add(GGroup::feed_mode, {930, 940, 950});
+  add(GGroup::units, {200, 210});
+  add(GGroup::compensation, {400, 410, 411, 420, 421});
+  add(GGroup::length, {430, 431, 432, 434, 490});
+  add(GGroup::retract, {980, 990});
+  add(GGroup::system, {540, 550, 560, 570, 580, 590, 591, 592, 593});
+  add(GGroup::path, {610, 611, 640});
+  add(GGroup::spindle_mode, {960, 970});
+  add(GGroup::lathe, {70, 80});
+  add(GGroup::rotation, {680, 690});
+  return groups;
+}();
+
 int g_group(int code) {
-  switch (code) {
-    case 40:
-    case 100:
-    case 280:
-    case 281:
-    case 300:
-    case 301:
-    case 520:
-    case 920:
-    case 921:
-    case 922:
-    case 923: return static_cast<int>(GGroup::action);
-    case 0:
-    case 10:
-    case 20:
-    case 30:
-    case 50:
-    case 51:
-    case 52:
-    case 53:
-    case 330:
-    case 331:
-    case 382:
-    case 383:
-    case 384:
-    case 385:
-    case 730:
-    case 740:
-    case 760:
-    case 800:
-    case 810:
-    case 820:
-    case 830:
-    case 840:
-    case 850:
-    case 860:
-    case 870:
-    case 880:
-    case 890: return static_cast<int>(GGroup::motion);
-    case 170:
-    case 180:
-    case 190: return static_cast<int>(GGroup::plane);
-    case 900:
-    case 910: return static_cast<int>(GGroup::distance);
-    case 901:
-    case 911: return static_cast<int>(GGroup::arc_distance);
-    case 930:
-    case 940:
-    case 950: return static_cast<int>(GGroup::feed_mode);
-    case 200:
-    case 210: return static_cast<int>(GGroup::units);
-    case 400:
-    case 410:
-    case 411:
-    case 420:
-    case 421: return static_cast<int>(GGroup::compensation);
-    case 430:
-    case 431:
-    case 432:
-    case 434:
-    case 490: return static_cast<int>(GGroup::length);
-    case 980:
-    case 990: return static_cast<int>(GGroup::retract);
-    case 540:
-    case 550:
-    case 560:
-    case 570:
-    case 580:
-    case 590:
-    case 591:
-    case 592:
-    case 593: return static_cast<int>(GGroup::system);
-    case 610:
-    case 611:
-    case 640: return static_cast<int>(GGroup::path);
-    case 960:
-    case 970: return static_cast<int>(GGroup::spindle_mode);
-    case 70:
-    case 80: return static_cast<int>(GGroup::lathe);
-    case 680:
-    case 690: return static_cast<int>(GGroup::rotation);
-    default: return Block::none;
-  }
+  const auto at = static_cast<std::size_t>(code);  // beyond the codes if below 0
+  return at < g_codes ? g_groups[at] : Block::none;
 }
 
 int m_group(int code) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "flow.h"
+#include "sources.h"
 
 namespace fieldfab::cam::gcode {
 
@@ -19,7 +19,7 @@ void Decoder::decode(Line& line, int& motion, Command& command) {
     command.kind = Command::Kind::delimiter;
     return;
   }
-  if (Flow::is_flow(line)) {
+  if (is_flow(line)) {
     command.kind = Command::Kind::flow;
     return;
   }

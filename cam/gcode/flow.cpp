@@ -1,54 +1,35 @@
 #include "flow.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-
-#include "fieldfab/core/error.h"
-#include "fieldfab/core/file.h"
 
 namespace fieldfab::cam::gcode {
 namespace {
 
 constexpr std::size_t deepest_call = 100;
 constexpr std::size_t deepest_block = 1000;
-constexpr std::uintmax_t largest_file = 64U << 20;
 
-// A keyword must precede its own prefixes.
-constexpr std::array<std::string_view, 15> keywords{"endsub", "sub",       "call",   "return",   "elseif",
-                                                    "else",   "endif",     "if",     "endwhile", "while",
-                                                    "do",     "endrepeat", "repeat", "break",    "continue"};
+/// The condition or value in brackets after a keyword.
+double condition(const Line& line, const FlowWord& word, const Parameters& parameters) {
+  Cursor cursor{line.text, word.rest};
+  if (cursor.peek() != '[') refuse("{} needs a condition in brackets", word.keyword);
+  const double value = read_value(cursor, parameters);
+  if (!cursor.done()) refuse("'{}' is too much behind {}", shown(line.text.substr(cursor.at)), word.keyword);
+  return value;
+}
 
 }  // namespace
 
 Flow::Flow(std::string_view text, const std::string& file, const std::vector<std::filesystem::path>& folders,
-           std::uint64_t most_lines, Parameters& parameters)
-    : parameters_(parameters), most_lines_(most_lines) {
-  main_.name = file;
-  main_.text = text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
-  folders_.push_back(std::filesystem::path(file).parent_path());
-  folders_.insert(folders_.end(), folders.begin(), folders.end());
-  at_.source = &main_;
-}
-
-bool Flow::raw_line(Position& position, std::string_view& raw) const {
-  const std::string_view text = position.source->text;
-  if (position.offset >= text.size()) return false;
-  const std::size_t end = std::min(text.find('\n', position.offset), text.size());
-  raw = text.substr(position.offset, end - position.offset);
-  position.offset = end + 1;
-  ++position.line;
-  return true;
-}
-
-void Flow::count() {
-  if (++lines_ > most_lines_) refuse("more than {} blocks: this program seems to have no end", most_lines_);
+           LineCount& count, Parameters& parameters)
+    : count_(count), parameters_(parameters), sources_(text, file, folders, count, parameters) {
+  at_.source = &sources_.program();
 }
 
 bool Flow::next(Line& line) {
   before_ = at_;
   std::string_view raw;
-  if (!raw_line(at_, raw)) {
+  if (!read_raw_line(at_, raw)) {
     line_ = at_.line;
     if (!calls_.empty()) refuse("the file ends within subroutine {}", shown(calls_.back().label));
     if (!open_.empty() && open_.back().kind != Kind::condition)
@@ -56,75 +37,29 @@ bool Flow::next(Line& line) {
     return false;
   }
   line_ = at_.line;
-  count();
+  count_.add();
   line.read(raw);
   return true;
 }
 
 double Flow::share() const {
   const Position& position = calls_.empty() ? at_ : calls_.front().back;
-  return main_.text.empty()
-             ? 1
-             : std::min(1.0, static_cast<double>(position.offset) / static_cast<double>(main_.text.size()));
-}
-
-bool Flow::is_flow(const Line& line) {
-  std::size_t i = 0;
-  if (i < line.text.size() && line.text[i] == 'n')
-    for (++i; i < line.text.size() && ((line.text[i] >= '0' && line.text[i] <= '9') || line.text[i] == '.');) ++i;
-  return i < line.text.size() && line.text[i] == 'o';
-}
-
-bool Flow::take_apart(const Line& line, Word& word, bool strict) const {
-  if (!is_flow(line)) return false;
-  Cursor cursor{line.text};
-  skip_line_number(cursor);
-  ++cursor.at;
-  if (cursor.take('<')) {
-    word.label = std::string(read_name(cursor));
-  } else if (strict || (cursor.peek() >= '0' && cursor.peek() <= '9')) {
-    word.label = std::to_string(read_whole(cursor, parameters_));
-  } else {  // a computed label in a skipped range
-    try {
-      word.label = std::to_string(read_whole(cursor, parameters_));
-    } catch (const Refusal&) {
-      return false;
-    }
-  }
-  word.keyword.clear();
-  for (const std::string_view keyword : keywords)
-    if (cursor.take(keyword)) {
-      word.keyword = keyword;
-      break;
-    }
-  word.rest = cursor.at;
-  if (word.keyword.empty() && !cursor.done()) {
-    if (strict) refuse("'{}' is not known behind an O-word", shown(line.text.substr(cursor.at)));
-    return false;
-  }
-  return true;
-}
-
-double Flow::condition(const Line& line, const Word& word) const {
-  Cursor cursor{line.text, word.rest};
-  if (cursor.peek() != '[') refuse("{} needs a condition in brackets", word.keyword);
-  const double value = read_value(cursor, parameters_);
-  if (!cursor.done()) refuse("'{}' is too much behind {}", shown(line.text.substr(cursor.at)), word.keyword);
-  return value;
+  const std::size_t size = sources_.program().text.size();
+  return size == 0 ? 1 : std::min(1.0, static_cast<double>(position.offset) / static_cast<double>(size));
 }
 
 std::string Flow::skip_to(const std::string& label, std::initializer_list<std::string_view> wanted, const char* what) {
   const int from = line_;
   std::string_view raw;
   Line line;
-  Word word;
+  FlowWord word;
   while (true) {
     before_ = at_;
-    if (!raw_line(at_, raw)) break;
-    count();
+    if (!read_raw_line(at_, raw)) break;
+    count_.add();
     if (raw.find_first_of("oO") == std::string_view::npos) continue;
     line.read(raw);
-    if (!take_apart(line, word, false) || word.label != label) continue;
+    if (!read_flow_word(line, parameters_, word, false) || word.label != label) continue;
     if (std::find(wanted.begin(), wanted.end(), word.keyword) == wanted.end()) continue;
     line_ = at_.line;
     return word.keyword + line.text.substr(word.rest);
@@ -145,24 +80,24 @@ void Flow::close_to(const std::string& label, Kind kind, const char* what) {
 }
 
 void Flow::carry_out(const Line& line) {
-  Word word;
-  (void)take_apart(line, word, true);
+  FlowWord word;
+  (void)read_flow_word(line, parameters_, word, true);
   if (open_.size() > deepest_block) refuse("more than {} loops and conditions within each other", deepest_block);
   const std::string& keyword = word.keyword;
   if (keyword == "sub") {
     if (!calls_.empty()) refuse("a subroutine cannot be defined within another one");
-    subroutines_[word.label] = at_;
+    sources_.define_subroutine(word.label, at_);
     skip_to(word.label, {"endsub"}, "sub");
   } else if (keyword == "endsub" || keyword == "return") {
     if (calls_.empty()) refuse("{} o{} where no subroutine was called", keyword, shown(word.label));
     Cursor cursor{line.text, word.rest};
     value_returned_ = !cursor.done();
-    value_ = value_returned_ ? condition(line, word) : 0;
+    value_ = value_returned_ ? condition(line, word, parameters_) : 0;
     leave();
   } else if (keyword == "call") {
     call(line, word);
   } else if (keyword.empty()) {
-    subroutines_.emplace(word.label, at_);  // O1000 alone: the number of a program, for M98
+    sources_.define_program(word.label, at_);  // O1000 alone: the number of a program, for M98
   } else if (keyword == "if" || keyword == "elseif" || keyword == "else" || keyword == "endif") {
     carry_out_condition(line, word);
   } else {
@@ -170,10 +105,10 @@ void Flow::carry_out(const Line& line) {
   }
 }
 
-void Flow::carry_out_condition(const Line& line, const Word& word) {
+void Flow::carry_out_condition(const Line& line, const FlowWord& word) {
   const std::string label = word.label;
   if (word.keyword == "if") {
-    bool taken = condition(line, word) != 0;
+    bool taken = condition(line, word, parameters_) != 0;
     open_.push_back({Kind::condition, label, {}, 0});
     while (!taken) {
       const std::string found = skip_to(label, {"elseif", "else", "endif"}, "if");
@@ -185,7 +120,7 @@ void Flow::carry_out_condition(const Line& line, const Word& word) {
       if (!taken) {
         Line other;
         other.text = "o1" + found;
-        taken = condition(other, Word{label, "elseif", 8}) != 0;
+        taken = condition(other, FlowWord{label, "elseif", 8}, parameters_) != 0;
       }
     }
   } else {
@@ -213,7 +148,7 @@ void Flow::again(Open& loop) {
   }
 }
 
-void Flow::carry_out_loop(const Line& line, const Word& word) {
+void Flow::carry_out_loop(const Line& line, const FlowWord& word) {
   const std::string label = word.label;
   const std::string& keyword = word.keyword;
   if (keyword == "do") {
@@ -221,13 +156,13 @@ void Flow::carry_out_loop(const Line& line, const Word& word) {
   } else if (keyword == "while") {
     Open* const open = find_open(label);
     if (open != nullptr && open->kind == Kind::do_loop) {
-      const bool more = condition(line, word) != 0;
+      const bool more = condition(line, word, parameters_) != 0;
       close_to(label, Kind::do_loop, "while");
       if (more)
         at_ = open_.back().start;
       else
         open_.pop_back();
-    } else if (condition(line, word) != 0) {
+    } else if (condition(line, word, parameters_) != 0) {
       open_.push_back({Kind::loop, label, before_, 0});
     } else {
       skip_to(label, {"endwhile"}, "while");
@@ -236,7 +171,7 @@ void Flow::carry_out_loop(const Line& line, const Word& word) {
     close_to(label, Kind::loop, "endwhile");
     again(open_.back());
   } else if (keyword == "repeat") {
-    const double times = std::round(condition(line, word));
+    const double times = std::round(condition(line, word, parameters_));
     if (times > 9e15) refuse("{} repeats", times);
     if (times >= 1)
       open_.push_back({Kind::repeat, label, at_, static_cast<std::int64_t>(times)});
@@ -260,40 +195,7 @@ void Flow::carry_out_loop(const Line& line, const Word& word) {
   }
 }
 
-std::optional<Position> Flow::find(const Source& source, Position from, const std::string& label, bool program) {
-  from.source = &source;
-  std::string_view raw;
-  Line line;
-  Word word;
-  while (raw_line(from, raw)) {
-    count();
-    if (raw.find_first_of("oO") == std::string_view::npos) continue;
-    line.read(raw);
-    if (!take_apart(line, word, false) || word.label != label) continue;
-    if (word.keyword == "sub" || (program && word.keyword.empty())) return from;
-  }
-  return std::nullopt;
-}
-
-const Source* Flow::open_file(const std::string& label) {
-  const std::string name = label + ".ngc";
-  if (const auto found = files_.find(name); found != files_.end()) return found->second.get();
-  if (label.find('/') != std::string::npos || label.find('\0') != std::string::npos || label.size() > 200)
-    return nullptr;
-  for (const std::filesystem::path& folder : folders_) {
-    std::error_code error;
-    const std::filesystem::path path = folder / name;
-    if (!std::filesystem::is_regular_file(path, error)) continue;
-    auto source = std::make_unique<Source>();
-    source->name = path.string();
-    source->kept = read_file(path, largest_file);
-    source->text = source->kept;
-    return files_.emplace(name, std::move(source)).first->second.get();
-  }
-  return nullptr;
-}
-
-void Flow::call(const Line& line, const Word& word) {
+void Flow::call(const Line& line, const FlowWord& word) {
   std::vector<double> arguments;
   Cursor cursor{line.text, word.rest};
   while (!cursor.done()) {
@@ -302,20 +204,7 @@ void Flow::call(const Line& line, const Word& word) {
     arguments.push_back(read_value(cursor, parameters_));
     if (arguments.size() > 30) refuse("more than 30 arguments");
   }
-  auto known = subroutines_.find(word.label);
-  if (known == subroutines_.end()) {
-    auto found = find(*at_.source, at_, word.label, false);
-    if (!found) {
-      if (const Source* const source = open_file(word.label)) {
-        found = find(*source, {}, word.label, false);
-        if (!found) refuse("{} does not define o<{}> sub", source->name, shown(word.label));
-      }
-    }
-    if (!found) refuse("there is no subroutine o<{}>, here or in a file {}.ngc", shown(word.label), shown(word.label));
-    known = subroutines_.emplace(word.label, *found).first;
-  }
-  const Position start = known->second;
-  enter(word.label, start, arguments, true, 1);
+  enter(word.label, sources_.subroutine(word.label, at_), arguments, true, 1);
 }
 
 void Flow::enter(const std::string& label, const Position& start, const std::vector<double>& arguments,
@@ -337,18 +226,8 @@ void Flow::leave() {
 }
 
 void Flow::call_program(int number, int repeats) {
-  const std::string label = std::to_string(number);
-  auto known = subroutines_.find(label);
-  if (known == subroutines_.end()) {
-    auto found = find(*at_.source, at_, label, true);
-    if (!found) found = find(*at_.source, {}, label, true);
-    if (!found)
-      if (const Source* const source = open_file(label)) found = find(*source, {}, label, true);
-    if (!found) refuse("there is no program O{}, here or in a file {}.ngc", number, number);
-    known = subroutines_.emplace(label, *found).first;
-  }
-  const Position start = known->second;
-  if (repeats > 0) enter(label, start, {}, false, repeats);
+  const Position start = sources_.program(number, at_);
+  if (repeats > 0) enter(std::to_string(number), start, {}, false, repeats);
 }
 
 bool Flow::return_program() {

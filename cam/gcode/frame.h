@@ -26,6 +26,15 @@ constexpr PlaneAxes axes_of(ArcPlane plane) {
   }
 }
 
+/// A position's point in a plane.
+inline Vec2 in_plane(const AxisValues& values, PlaneAxes axes) {
+  return {values.at[axes.first], values.at[axes.second]};
+}
+/// Replaces the two coordinates of a plane.
+inline void set_in_plane(AxisValues& values, PlaneAxes axes, const Vec2& point) {
+  values.at[axes.first] = point.x(), values.at[axes.second] = point.y();
+}
+
 /// Chain of transformations from program to machine coordinates: G68, then G92 or G52, then the
 /// work offset with its rotation about z. All in mm and degrees.
 struct Frame {

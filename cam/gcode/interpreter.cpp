@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
@@ -13,69 +12,46 @@ std::vector<ReadingNote> read_gcode(std::string_view text, const std::string& fi
 }
 
 namespace gcode {
-namespace {
-
-/// Conversion of angles: radians in the interface, degrees in programs.
-AxisValues in_degrees(AxisValues values) {
-  for (std::size_t k = 3; k < 6; ++k) values.at[k] *= degrees_per_radian;
-  return values;
-}
-
-}  // namespace
 
 Interpreter::Interpreter(std::string_view text, const std::string& file, const ReadingOptions& options,
                          const MotionSink& sink, Progress& progress)
-    : options_(options),
-      sink_(sink),
-      progress_(progress),
-      parameters_(*this),
-      flow_(text, file, options.folders, options.most_blocks, parameters_),
-      decoder_(parameters_, options.dialect, options.block_delete,
-               [this](std::string what) { notes_.add(flow_.line(), std::move(what)); }) {
-  modes_.inch = options.inch;
-  if (options.dialect != Dialect::linuxcnc) modes_.motion = 0, modes_.retract_to_start = true;
-  const auto store = [&](int first, const AxisValues& values) {
-    for (int k = 0; k < 9; ++k) parameters_.stored(first + k) = in_degrees(values).at[static_cast<std::size_t>(k)];
-  };
-  store(number::first_home, options.home[0]);
-  store(number::second_home, options.home[1]);
-  for (int k = 0; k < 9; ++k) store(number::system_start(k + 1), options.work_offsets[static_cast<std::size_t>(k)]);
-  parameters_.stored(number::coordinate_system) = 1;
-  parameters_.stored(number::input_value) = -1;
-  read_system();
-  at_ = sent_ = frame_.of_axes(in_degrees(options.start));
-  flow_.on_return([this] {
-    while (!saved_in_calls_.empty() && saved_in_calls_.back().depth > flow_.depth()) {
-      const Modes saved = saved_in_calls_.back().modes;
-      saved_in_calls_.pop_back();
-      restore_state(saved);
-    }
-  });
+    : progress_(progress),
+      predefined_(control_, stream_, flow_),
+      control_(options, predefined_),
+      stream_(control_, sink),
+      count_(options.most_blocks),
+      flow_(text, file, options.folders, count_, control_.parameters),
+      decoder_(control_.parameters, options.dialect, options.block_delete,
+               [this](std::string what) { control_.note(std::move(what)); }),
+      offsets_(control_, stream_),
+      motions_(control_, stream_, count_, progress) {
+  flow_.on_return([this] { restore_on_return(); });
 }
 
 std::vector<ReadingNote> Interpreter::run() {
   const auto place = [this] { return fmt::format("{}:{}", flow_.file(), flow_.line()); };
   try {
     while (!finished_ && step()) {
-      if (flow_.lines() % 1024 == 0) {
+      if (count_.lines() % 1024 == 0) {
         progress_.check();
-        if (flow_.lines() % 65536 == 0) progress_.report(flow_.share(), "reading the program");
+        if (count_.lines() % 65536 == 0) progress_.report(flow_.share(), "reading the program");
       }
     }
     if (!finished_) {
-      flush();
-      notes_.add(flow_.line(),
-                 delimited_ ? "the program ends without M2, M30 or a second %" : "the program ends without M2 or M30");
+      stream_.stop_compensation();
+      control_.notes.add(flow_.line(), delimited_ ? "the program ends without M2, M30 or a second %"
+                                                  : "the program ends without M2 or M30");
     }
   } catch (const Refusal& refusal) {
     throw Error(ErrorKind::bad_input, place(), refusal.message);
   }
-  return notes_.take();
+  return control_.notes.take();
 }
 
 bool Interpreter::step() {
   if (!flow_.next(line_)) return false;
-  decoder_.decode(line_, modes_.motion, command_);
+  control_.line = flow_.line();
+  decoder_.decode(line_, control_.modes.motion, command_);
   switch (command_.kind) {
     case Command::Kind::nothing: return true;
     case Command::Kind::delimiter:
@@ -97,184 +73,201 @@ bool Interpreter::step() {
 
 void Interpreter::execute() {
   const ModalWords& set = command_.modal;
-  if (set.feed_mode) set_feed_mode(*set.feed_mode);
+  Modes& modes = control_.modes;
+  if (set.feed_mode) {
+    if (*set.feed_mode != modes.feed_mode) modes.feed = 0;  // the number has another meaning in the new mode
+    modes.feed_mode = *set.feed_mode;
+  }
   if (block_.has('f')) set_feed();
   set_speed();
   if (block_.has('t')) select_tool();
-  do_modal_m();
-  if (block_.code(GGroup::action) == 40) {
-    // G4 S3 in programs for Marlin means three seconds. In other dialects S in such a block sets
-    // the spindle.
-    if (!block_.has('p') && block_.has('s'))
-      notes_.add(flow_.line(), "G4 with S and no P is taken as seconds, as Marlin does");
-    else if (!block_.has('p'))
-      refuse("G4 needs P, the seconds");
-    dwell(block_.has('p') ? block_['p'] : block_['s']);
-  }
+  machine_words();
+  if (block_.code(GGroup::action) == 40) dwell();
   if (set.plane) set_plane(*set.plane);
-  if (set.inch) modes_.inch = *set.inch;
-  if (set.diameter) modes_.diameter = *set.diameter;
+  if (set.inch) modes.inch = *set.inch;
+  if (set.diameter) modes.diameter = *set.diameter;
   if (block_.code(GGroup::compensation) != Block::none) set_compensation();
-  if (block_.code(GGroup::length) != Block::none) set_length_compensation();
-  if (set.system) set_system(*set.system);
-  if (set.path) modes_.path = *set.path;
-  if (set.absolute) modes_.absolute = *set.absolute;
-  if (set.arcs_absolute) modes_.arcs_absolute = *set.arcs_absolute;
-  if (set.retract_to_start) modes_.retract_to_start = *set.retract_to_start;
-  if (block_.code(GGroup::rotation) != Block::none) turn_program();
+  if (block_.code(GGroup::length) != Block::none) offsets_.set_length_compensation(block_);
+  if (set.system) offsets_.select_system(*set.system);
+  if (set.path) modes.path = *set.path;
+  if (set.absolute) modes.absolute = *set.absolute;
+  if (set.arcs_absolute) modes.arcs_absolute = *set.arcs_absolute;
+  if (set.retract_to_start) modes.retract_to_start = *set.retract_to_start;
+  if (block_.code(GGroup::rotation) != Block::none) offsets_.turn_program(block_);
   action();
-  motion();
-  do_stop();
-}
-
-void Interpreter::set_feed_mode(int code) {
-  if (code != modes_.feed_mode) modes_.feed = 0;  // the number has another meaning in the new mode
-  modes_.feed_mode = code;
+  motions_.carry_out(block_);
+  stop_words();
 }
 
 void Interpreter::set_feed() {
+  Modes& modes = control_.modes;
   const double feed = block_['f'];
   if (feed < 0) refuse("F{} is below 0", feed);
-  modes_.feed = feed;
-  modes_.feed_unit = unit();  // F precedes G20 and G21 in a block's order of execution
+  modes.feed = feed;
+  modes.feed_unit = modes.unit();  // F precedes G20 and G21 in a block's order of execution
   if (const int units = block_.code(GGroup::units);
-      units != Block::none && (units == 200) != modes_.inch && modes_.feed_mode != 930)
-    notes_.add(flow_.line(), fmt::format("F in the block of {} still counts in the units before it", g_name(units)));
+      units != Block::none && (units == 200) != modes.inch && modes.feed_mode != 930)
+    control_.note(fmt::format("F in the block of {} still counts in the units before it", g_name(units)));
 }
 
 void Interpreter::set_speed() {
+  Modes& modes = control_.modes;
   if (block_.has('s') && !(block_.code(GGroup::action) == 40 && !block_.has('p'))) {
     const double speed = block_['s'];
     if (speed < 0) refuse("S{} is below 0", speed);
-    modes_.speed = speed;
+    modes.speed = speed;
   }
   const int code = block_.code(GGroup::spindle_mode);
   if (code == Block::none) return;
   if (!block_.has('s') && code == 960) refuse("{} needs S", g_name(code));
-  modes_.constant_surface = code == 960;
-  modes_.most_speed = 0;
+  modes.constant_surface = code == 960;
+  modes.most_speed = 0;
   if (code == 960 && block_.has('d')) {
-    modes_.most_speed = block_['d'];
-    if (modes_.most_speed <= 0) refuse("G96 with D{}: the greatest speed must be above 0", modes_.most_speed);
+    modes.most_speed = block_['d'];
+    if (modes.most_speed <= 0) refuse("G96 with D{}: the greatest speed must be above 0", modes.most_speed);
   }
-}
-
-const ToolEntry& Interpreter::tool_entry(int tool) const {
-  static const ToolEntry nothing;
-  const auto found = options_.tools.find(tool);
-  if (found != options_.tools.end()) return found->second;
-  if (tool == 0) return nothing;
-  refuse("tool {} is not in the tool table", tool);
 }
 
 void Interpreter::select_tool() {
   const int tool = whole(block_['t']);
   if (tool < 0) refuse("T{} is below 0", tool);
-  if (tool != 0 && !options_.tools.contains(tool))
-    notes_.add(flow_.line(), fmt::format("tool {} is not in the tool table", tool));
-  selected_tool_ = tool;
+  if (tool != 0 && !control_.tools.contains(tool)) control_.note(fmt::format("tool {} is not in the tool table", tool));
+  control_.selected_tool = tool;
+}
+
+void Interpreter::machine_words() {
+  const ModalWords& set = command_.modal;
+  Modes& modes = control_.modes;
+  const int tool = block_.code(MGroup::tool);
+  if (tool == 6) change_tool();
+  if (tool == 61) take_tool();
+  if (set.spindle) modes.spindle = *set.spindle;
+  if (const int code = block_.code(MGroup::coolant); code != Block::none) {
+    modes.mist = code == 7 || (code == 8 && modes.mist);
+    modes.flood = code == 8 || (code == 7 && modes.flood);
+  }
+  if (const int code = block_.code(MGroup::override_); code == 48 || code == 49)
+    modes.feed_override = modes.speed_override = code == 48;
+  if (const int code = block_.code(MGroup::in_out); code != Block::none)
+    control_.note(code == 66 ? "M66 waits for an input: it is taken as not there (#5399 is -1)"
+                             : fmt::format("M{} sets an output: passed over", code));
+  state_words();
+  if (set.control) set_control(*set.control);
+  if (const int code = block_.code(MGroup::user); code != Block::none)
+    control_.note(fmt::format("M{} has no meaning here: passed over", code));
 }
 
 void Interpreter::change_tool() {
-  no_compensation("M6");
-  tool_ = selected_tool_;
-  modes_.spindle = 0;
-  at_ = sent_;  // the actual position, not the programmed end of a compensated path
-  Motion motion = stamped(Motion::Kind::tool_change);
-  motion.end = at_;
-  give(motion);
+  stream_.no_compensation("M6");
+  control_.tool = control_.selected_tool;
+  control_.modes.spindle = 0;
+  control_.at = stream_.sent();  // the actual position, not the programmed end of a compensated path
+  stream_.say(Motion::Kind::tool_change);
 }
 
-void Interpreter::do_modal_m() {
-  const ModalWords& set = command_.modal;
-  const int tool = block_.code(MGroup::tool);
-  if (tool == 6) change_tool();
-  if (tool == 61) {
-    if (!block_.has('q')) refuse("M61 needs Q, the tool's number");
-    const int number = whole(block_['q']);
-    if (number < 0) refuse("M61 with Q{}, which is below 0", number);
-    tool_ = number;
-    Motion motion = stamped(Motion::Kind::tool_change);
-    motion.end = at_;
-    give(motion);
+/// M61: the tool in the spindle gets another number.
+void Interpreter::take_tool() {
+  if (!block_.has('q')) refuse("M61 needs Q, the tool's number");
+  const int number = whole(block_['q']);
+  if (number < 0) refuse("M61 with Q{}, which is below 0", number);
+  control_.tool = number;
+  stream_.say(Motion::Kind::tool_change);
+}
+
+void Interpreter::set_control(ControlMode mode) {
+  stream_.no_compensation("a change of kinematics");
+  control_.mode = mode;
+  control_.tip_by_length = false;
+}
+
+/// G4. G4 S3 in programs for Marlin means three seconds. In other dialects S in such a block sets the spindle.
+void Interpreter::dwell() {
+  if (!block_.has('p') && block_.has('s'))
+    control_.note("G4 with S and no P is taken as seconds, as Marlin does");
+  else if (!block_.has('p'))
+    refuse("G4 needs P, the seconds");
+  stream_.dwell(block_.has('p') ? block_['p'] : block_['s']);
+}
+
+void Interpreter::set_plane(ArcPlane plane) {
+  if (plane != control_.modes.plane) stream_.no_compensation("a change of plane");
+  control_.modes.plane = plane;
+}
+
+void Interpreter::set_compensation() {
+  const int code = block_.code(GGroup::compensation);
+  if (code == 400) return stream_.stop_compensation();
+  const ArcPlane plane = control_.modes.plane;
+  if (plane == ArcPlane::yz) refuse("cutter compensation is of the planes G17 and G18");
+  stream_.no_compensation(g_name(code));
+  if (plane == ArcPlane::zx && control_.frame.rotation != 0)
+    refuse("cutter compensation in G18 with a rotated coordinate system");
+  double radius = 0;
+  if (code == 411 || code == 421) {
+    if (!block_.has('d')) refuse("{} needs D, the tool's diameter", g_name(code));
+    radius = control_.modes.length(block_['d']) / 2;
+  } else {
+    const int tool = block_.has('d') ? whole(block_['d']) : control_.tool;
+    if (tool < 0) refuse("D{} is below 0", tool);
+    radius = control_.tool_entry(tool == 0 ? control_.tool : tool).diameter / 2;
   }
-  if (set.spindle) modes_.spindle = *set.spindle;
-  if (const int code = block_.code(MGroup::coolant); code != Block::none) {
-    modes_.mist = code == 7 || (code == 8 && modes_.mist);
-    modes_.flood = code == 8 || (code == 7 && modes_.flood);
+  stream_.start_compensation((code < 420 ? 1 : -1) * (radius < 0 ? -1 : 1), std::abs(radius));
+}
+
+void Interpreter::action() {
+  switch (block_.code(GGroup::action)) {
+    case 100: offsets_.set_data(block_); break;
+    case 280: motions_.go_home(block_, number::first_home); break;
+    case 300: motions_.go_home(block_, number::second_home); break;
+    case 281: offsets_.keep_home(number::first_home); break;
+    case 301: offsets_.keep_home(number::second_home); break;
+    case 520:
+    case 920:
+    case 921:
+    case 922:
+    case 923: offsets_.set_axis_offset(block_); break;
+    default: break;
   }
-  if (const int code = block_.code(MGroup::override_); code == 48 || code == 49)
-    modes_.feed_override = modes_.speed_override = code == 48;
-  if (const int code = block_.code(MGroup::in_out); code != Block::none) {
-    if (code == 66)
-      notes_.add(flow_.line(), "M66 waits for an input: it is taken as not there (#5399 is -1)");
-    else
-      notes_.add(flow_.line(), fmt::format("M{} sets an output: passed over", code));
-  }
+}
+
+/// M70 to M73.
+void Interpreter::state_words() {
   switch (block_.code(MGroup::state)) {
     case 70: save_state(false); break;
     case 71: saved_.reset(); break;
     case 72:
       if (!saved_) refuse("M72 where M70 has saved nothing");
-      restore_state(*saved_);
+      offsets_.restore(*saved_);
       break;
     case 73: save_state(true); break;
     default: break;
   }
-  if (set.control) set_control(*set.control);
-  if (const int code = block_.code(MGroup::user); code != Block::none)
-    notes_.add(flow_.line(), fmt::format("M{} has no meaning here: passed over", code));
-}
-
-void Interpreter::set_control(ControlMode mode) {
-  no_compensation("a change of kinematics");
-  mode_ = mode;
-  tip_by_length_ = false;
 }
 
 void Interpreter::save_state(bool restore_on_return) {
-  modes_.axis_offset = parameters_.stored(number::offset_active) != 0;
+  Modes& modes = control_.modes;
+  modes.axis_offset = control_.parameters.stored(number::offset_active) != 0;
   if (!restore_on_return) {
-    saved_ = modes_;
+    saved_ = modes;
   } else if (flow_.in_program()) {
-    notes_.add(flow_.line(), "M73 outside of a subroutine does nothing");
+    control_.note("M73 outside of a subroutine does nothing");
   } else if (saved_in_calls_.empty() || saved_in_calls_.back().depth != flow_.depth()) {
-    saved_in_calls_.push_back({flow_.depth(), modes_});
+    saved_in_calls_.push_back({flow_.depth(), modes});
   }
 }
 
-void Interpreter::restore_state(const Modes& saved) {
-  if (compensation_.side != 0) refuse("modes cannot be restored while cutter compensation is on");
-  const int motion = modes_.motion;
-  change_frame([&] {
-    modes_ = saved;
-    parameters_.stored(number::coordinate_system) = saved.system;
-    parameters_.stored(number::offset_active) = saved.axis_offset ? 1 : 0;
-    read_system();
-    frame_.tool = saved.tool_offset;
-  });
-  modes_.motion = motion;
+void Interpreter::restore_on_return() {
+  while (!saved_in_calls_.empty() && saved_in_calls_.back().depth > flow_.depth()) {
+    const Modes saved = saved_in_calls_.back().modes;
+    saved_in_calls_.pop_back();
+    offsets_.restore(saved);
+  }
 }
 
-void Interpreter::set_plane(ArcPlane plane) {
-  if (plane != modes_.plane) no_compensation("a change of plane");
-  modes_.plane = plane;
-}
-
-void Interpreter::dwell(double seconds) {
-  if (seconds < 0) refuse("a dwell of {} seconds", seconds);
-  Motion motion = stamped(Motion::Kind::dwell);
-  motion.end = at_;
-  motion.seconds = seconds;
-  give(motion);
-}
-
-void Interpreter::do_stop() {
+void Interpreter::stop_words() {
   const int code = block_.code(MGroup::stop);
   if (code == 0 || code == 1 || code == 60) {
-    Motion motion = stamped(Motion::Kind::stop);
-    motion.end = at_;
-    give(motion);
+    stream_.say(Motion::Kind::stop);
   } else if (code == 2 || code == 30) {
     end_program();
   } else if (code == 98) {
@@ -284,86 +277,16 @@ void Interpreter::do_stop() {
     flow_.call_program(whole(block_['p']), repeats);
   } else if (code == 99) {
     if (!flow_.return_program()) {
-      notes_.add(flow_.line(), "M99 in the main program would begin it anew for ever: it ends here");
+      control_.note("M99 in the main program would begin it anew for ever: it ends here");
       end_program();
     }
   }
 }
 
 void Interpreter::end_program() {
-  flush();
-  compensation_ = {};
-  Motion motion = stamped(Motion::Kind::end);
-  motion.end = at_;
-  give(motion);
+  stream_.say(Motion::Kind::end);
+  stream_.stop_compensation();
   finished_ = true;
-}
-
-double Interpreter::numbered(int number) const {
-  const double unit = this->unit();
-  if (number == number::tool) return tool_;
-  if (number >= 5401 && number <= 5403) return tool_entry(tool_).offset[number - 5401] / unit;
-  if (number == 5410) return tool_entry(tool_).diameter / unit;
-  if (number >= 5420 && number <= 5428) {
-    if (compensation_.side != 0) refuse("the position cannot be asked for while cutter compensation is on");
-    const auto axis = static_cast<std::size_t>(number - 5420);
-    return axis >= 3 && axis < 6 ? at_.at[axis] : at_.at[axis] / unit;
-  }
-  return 0;
-}
-
-std::optional<double> Interpreter::named(std::string_view name) const {
-  const auto flag = [](bool on) { return on ? 1.0 : 0.0; };
-  constexpr std::string_view axes = "xyzabcuvw";
-  if (name.size() == 2 && axes.find(name[1]) != std::string_view::npos)
-    return numbered(5420 + static_cast<int>(axes.find(name[1])));
-  if (name.size() == 6 && name.starts_with("_abs_") && axes.find(name[5]) != std::string_view::npos) {
-    const std::size_t axis = axes.find(name[5]);
-    const double value = frame_.axes(at_).at[axis];
-    return axis >= 3 && axis < 6 ? value : value / unit();
-  }
-  if (name == "_vmajor") return 2.9;
-  if (name == "_vminor") return 0;
-  if (name == "_line") return flow_.line();
-  if (name == "_motion_mode") return modes_.motion;
-  if (name == "_plane") return modes_.plane == ArcPlane::xy ? 170 : modes_.plane == ArcPlane::zx ? 180 : 190;
-  if (name == "_ccomp") return compensation_.side == 0 ? 400 : compensation_.side > 0 ? 410 : 420;
-  if (name == "_metric") return flag(!modes_.inch);
-  if (name == "_imperial") return flag(modes_.inch);
-  if (name == "_absolute") return flag(modes_.absolute);
-  if (name == "_incremental") return flag(!modes_.absolute);
-  if (name == "_inverse_time") return flag(modes_.feed_mode == 930);
-  if (name == "_units_per_minute") return flag(modes_.feed_mode == 940);
-  if (name == "_units_per_rev") return flag(modes_.feed_mode == 950);
-  if (name == "_coord_system") return modes_.system <= 6 ? 530 + 10 * modes_.system : 584 + modes_.system;
-  if (name == "_tool_offset") return flag(frame_.tool != AxisValues{});
-  if (name == "_retract_r_plane") return flag(!modes_.retract_to_start);
-  if (name == "_retract_old_z") return flag(modes_.retract_to_start);
-  if (name == "_spindle_rpm_mode") return flag(!modes_.constant_surface);
-  if (name == "_spindle_css_mode") return flag(modes_.constant_surface);
-  if (name == "_ijk_absolute_mode") return flag(modes_.arcs_absolute);
-  if (name == "_lathe_diameter_mode") return flag(modes_.diameter);
-  if (name == "_lathe_radius_mode") return flag(!modes_.diameter);
-  if (name == "_spindle_on") return flag(modes_.spindle != 0);
-  if (name == "_spindle_cw") return flag(modes_.spindle > 0);
-  if (name == "_mist") return flag(modes_.mist);
-  if (name == "_flood") return flag(modes_.flood);
-  if (name == "_feed_override") return flag(modes_.feed_override);
-  if (name == "_speed_override") return flag(modes_.speed_override);
-  if (name == "_adaptive_feed" || name == "_feed_hold" || name == "_task" || name == "_remap_level") return 0;
-  if (name == "_feed") return modes_.feed;
-  if (name == "_rpm") return modes_.speed;
-  if (name == "_current_tool") return tool_;
-  if (name == "_current_pocket") return tool_;
-  if (name == "_selected_tool" || name == "_selected_pocket") return selected_tool_;
-  if (name == "_value") return flow_.value();
-  if (name == "_value_returned") return flag(flow_.value_returned());
-  if (name == "_call_level") return static_cast<double>(flow_.depth());
-  if (name.starts_with("_hal[") || name.starts_with("_ini[")) {
-    notes_.add(flow_.line(), fmt::format("#<{}> is 0: there is no such thing here", shown(name)));
-    return 0;
-  }
-  return std::nullopt;
 }
 
 }  // namespace gcode

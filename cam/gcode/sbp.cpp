@@ -1,32 +1,19 @@
 // ShopBot's part files (OpenSBP): two-letter commands, labels, variables.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 
 #include "fieldfab/core/angle.h"
+#include "sbp_values.h"
 #include "simple_machine.h"
 
 namespace fieldfab::cam {
 namespace gcode {
 namespace {
 
-constexpr std::size_t most_variables = 100'000, deepest_gosub = 100;
-constexpr int deepest_brackets = 100;
+using namespace sbp;
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && static_cast<unsigned char>(text.front()) <= 32) text.remove_prefix(1);
-  while (!text.empty() && static_cast<unsigned char>(text.back()) <= 32) text.remove_suffix(1);
-  return text;
-}
-std::string upper(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
-  return out;
-}
-bool letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
-bool digit(char c) { return c >= '0' && c <= '9'; }
+constexpr std::size_t deepest_gosub = 100;
 
 class SbpReader {
  public:
@@ -71,96 +58,6 @@ class SbpReader {
     at_ = {};
   }
 
-  // ---------- Values
-  double value(std::string_view text) {
-    std::string_view rest = trimmed(text);
-    const double result = sum(rest, 0);
-    if (!trimmed(rest).empty()) refuse("'{}' found behind a value", shown(trimmed(rest)));
-    if (!std::isfinite(result)) refuse("the result is no finite number");
-    return result;
-  }
-  double sum(std::string_view& rest, int depth) {
-    double result = product(rest, depth);
-    while (true) {
-      rest = trimmed(rest);
-      if (rest.empty() || (rest.front() != '+' && rest.front() != '-')) return result;
-      const bool plus = rest.front() == '+';
-      rest.remove_prefix(1);
-      const double next = product(rest, depth);
-      result += plus ? next : -next;
-    }
-  }
-  double product(std::string_view& rest, int depth) {
-    double result = factor(rest, depth);
-    while (true) {
-      rest = trimmed(rest);
-      if (rest.empty() || (rest.front() != '*' && rest.front() != '/')) return result;
-      const bool times = rest.front() == '*';
-      rest.remove_prefix(1);
-      const double next = factor(rest, depth);
-      if (!times && next == 0) refuse("division by zero");
-      result = times ? result * next : result / next;
-    }
-  }
-  double factor(std::string_view& rest, int depth) {
-    rest = trimmed(rest);
-    if (depth > deepest_brackets) refuse("more than {} brackets within brackets", deepest_brackets);
-    if (rest.empty()) refuse("a value is missing");
-    const char c = rest.front();
-    if (c == '-' || c == '+') {
-      rest.remove_prefix(1);
-      const double inner = factor(rest, depth + 1);
-      return c == '-' ? -inner : inner;
-    }
-    if (c == '(') {
-      rest.remove_prefix(1);
-      const double inner = sum(rest, depth + 1);
-      rest = trimmed(rest);
-      if (rest.empty() || rest.front() != ')') refuse("'(' without its ')'");
-      rest.remove_prefix(1);
-      return inner;
-    }
-    if (c == '&') {
-      const std::string name = variable_name(rest);
-      const auto found = variables_.find(name);
-      if (found == variables_.end()) refuse("the variable &{} has no value", shown(name));
-      return found->second;
-    }
-    if (c == '%') refuse("the control's own variables (%) are not known here");
-    double number = 0;
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number, std::chars_format::fixed);
-    if (error != std::errc()) refuse("'{}' found where a value should be", shown(rest));
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    return number;
-  }
-  /// Removes the name behind '&' and returns it.
-  static std::string variable_name(std::string_view& rest) {
-    rest.remove_prefix(1);
-    std::size_t length = 0;
-    while (length < rest.size() && (letter(rest[length]) || digit(rest[length]))) ++length;
-    if (length == 0) refuse("& without the name of a variable");
-    const std::string name = upper(rest.substr(0, length));
-    rest.remove_prefix(length);
-    return name;
-  }
-  bool condition(std::string_view text) {
-    const std::size_t at = text.find_first_of("<>=");
-    if (at == std::string_view::npos) return value(text) != 0;
-    std::size_t length = 1;
-    while (at + length < text.size() &&
-           (text[at + length] == '=' || text[at + length] == '>' || text[at + length] == '<'))
-      ++length;
-    const std::string_view sign = text.substr(at, length);
-    const double a = value(text.substr(0, at)), b = value(text.substr(at + length));
-    if (sign == "=" || sign == "==") return a == b;
-    if (sign == "<>") return a != b;
-    if (sign == "<") return a < b;
-    if (sign == ">") return a > b;
-    if (sign == "<=") return a <= b;
-    if (sign == ">=") return a >= b;
-    refuse("'{}' compares nothing", shown(sign));
-  }
-
   // ---------- Statements
   void carry_out(std::string_view line) {
     if (line.empty() || is_label(line)) return;
@@ -193,7 +90,7 @@ class SbpReader {
       if (rest.empty() || letter(rest.front()) || rest.front() == '"')
         machine_.say(Motion::Kind::stop);
       else
-        machine_.dwell(value(rest));
+        machine_.dwell(values_.value(rest));
       return;
     }
     command(word, rest, line);
@@ -204,14 +101,12 @@ class SbpReader {
     if (line.empty() || line.front() != '=') refuse("'=' is missing behind &{}", shown(name));
     line = trimmed(line.substr(1));
     if (!line.empty() && (line.front() == '"' || line.front() == '%' || (letter(line.front())))) {
-      variables_.erase(name);
+      values_.forget(name);
       machine_.notes.add(machine_.line, fmt::format("&{} is given something that is not known here", shown(name)));
       return;
     }
-    const double number = value(line);
-    if (variables_.size() >= most_variables && !variables_.contains(name))
-      refuse("more than {} variables", most_variables);
-    variables_[name] = number;
+    const double number = values_.value(line);
+    values_.set(name, number);
     if (name == "TOOL" && number >= 0 && number < 1e6 && static_cast<int>(number) != machine_.tool) {
       machine_.tool = static_cast<int>(number);
       machine_.say(Motion::Kind::tool_change);
@@ -228,7 +123,7 @@ class SbpReader {
       nested_ = 0;
       return;
     }
-    if (condition(test)) carry_out(action);
+    if (values_.condition(test)) carry_out(action);
     nested_ = 0;
   }
   void go_to(std::string_view rest) {
@@ -252,7 +147,7 @@ class SbpReader {
   }
   std::optional<double> field(std::size_t index) {
     if (index >= fields_.size() || fields_[index].empty()) return std::nullopt;
-    return value(fields_[index]);
+    return values_.value(fields_[index]);
   }
 
   void command(const std::string& word, std::string_view rest, std::string_view line) {
@@ -490,7 +385,7 @@ class SbpReader {
   Place at_;
   bool ended_ = false, relative_ = false;
   std::map<std::string, Place> labels_;
-  std::map<std::string, double> variables_;
+  Values values_;
   std::vector<Place> returns_;
   int nested_ = 0;
   std::vector<std::string_view> fields_;

@@ -79,13 +79,9 @@ class Brick {
     std::size_t column;
     Sample lower, upper;
   };
-  struct Points {
-    int first, last;
-  };
 
   [[nodiscard]] const Cell& leaf(const Index3& point) const;
   [[nodiscard]] Region solid_bounds(const StockLattice& lattice) const;
-  [[nodiscard]] static Points solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice);
   void occupy(const Cell& cell, Occupancy& shape, const StockLattice& lattice) const;
   void cut_columns(int node, Batch& batch, std::size_t pass, const Stock& stock);
   void cut_edges(int node, Batch& batch, std::size_t pass, const StockLattice& lattice);

@@ -16,6 +16,19 @@
 
 namespace fieldfab::cam {
 
+/// Axes across an axis, in cyclic order.
+constexpr auto axis_u(int axis) { return (axis + 1) % 3; }
+constexpr auto axis_v(int axis) { return (axis + 2) % 3; }
+
+/// A point by its coordinates in the frame of an axis.
+inline Index3 point_of(int axis, int u, int v, int k) {
+  Index3 p{};
+  p[static_cast<std::size_t>(axis)] = k;
+  p[static_cast<std::size_t>(axis_u(axis))] = u;
+  p[static_cast<std::size_t>(axis_v(axis))] = v;
+  return p;
+}
+
 /// A box of lattice points, both ends included.
 struct Region {
   Index3 lower{0, 0, 0}, upper{-1, -1, -1};
@@ -296,5 +309,21 @@ struct Cell {
 
 /// End of a column that is solid beyond its cell; -beyond for a column without solid points.
 constexpr float beyond = std::numeric_limits<float>::infinity();
+
+/// Points of a column, along the cell's axis; none if `first` is above `last`.
+struct ColumnPoints {
+  int first, last;
+};
+/// The solid points of a column.
+inline ColumnPoints solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice) {
+  ColumnPoints points{cell.region.first(cell.axis), cell.region.last(cell.axis)};
+  if (cell.content != Cell::Content::columns) return points;
+  const float upper = cell.upper.at[column];
+  if (upper != beyond)
+    points.last = upper == -beyond ? points.first - 1 : std::min(points.last, lattice.below(cell.axis, upper));
+  if (!cell.lower.empty() && cell.lower.at[column] != -beyond)
+    points.first = std::max(points.first, lattice.above(cell.axis, cell.lower.at[column]));
+  return points;
+}
 
 }  // namespace fieldfab::cam
