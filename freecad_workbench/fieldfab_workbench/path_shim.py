@@ -1,5 +1,5 @@
 """Uniform names for FreeCAD's own milling workbench: Path in 0.20 (PathScripts.*), CAM in later versions (Path.Main.*,
-Path.Tool.*). Tested with 0.20.2; the later names follow FreeCAD's sources."""
+Path.Tool.*). Tested with 0.20.2 and 1.0."""
 
 import contextlib
 import importlib

@@ -1,5 +1,5 @@
-"""Differences between FreeCAD 0.20 (PySide2, Path) and 1.x (PySide6, CAM). Tested with 0.20.2; the rest follows
-FreeCAD's sources."""
+"""Differences between FreeCAD 0.20 (PySide2, Path) and 1.x (PySide6, CAM). Tested with 0.20.2 and 1.0;
+PySide6 follows FreeCAD's sources."""
 
 try:
     from PySide2 import QtCore, QtGui, QtSvg, QtWidgets
