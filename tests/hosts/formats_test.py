@@ -16,6 +16,7 @@ import pyopenvdb
 import pytest
 
 from conftest import BUILD, COMMAND, ROOT
+from meshlab_host import MESHLABSERVER
 
 MESHES = ("stl", "ply", "off", "obj", "3mf")
 VOLUMES = ("nrrd", "mha", "nii", "nii.gz")
@@ -94,7 +95,7 @@ def assimp(source, target):
 
 def meshlab(source, target):
     environment = {**os.environ, "XDG_RUNTIME_DIR": str(target.parent)}
-    run("xvfb-run", "-a", "/usr/bin/meshlabserver", "-i", source, "-o", target, env=environment)
+    run("xvfb-run", "-a", MESHLABSERVER, "-i", source, "-o", target, env=environment)
 
 
 # Each program with the common formats that it reads and writes. OpenSCAD 2021 reads no .ply and no .obj, FreeCAD 0.20

@@ -60,7 +60,10 @@ std::map<std::string, QVariant> FieldfabFilters::applyFilter(const QAction* acti
   const auto report = [&](const std::string& line) { log(GLLogStream::FILTER, line); };
   const std::string message =
       message_of([&] { run_filter(filter, document, list, bar, report); }, "; the layers are as they were");
-  if (!message.empty()) throw MLException(text_of(message));
+  if (!message.empty()) {
+    log(GLLogStream::WARNING, message);  // MeshLab's own line comes after its message is closed
+    throw MLException(text_of(message));
+  }
   changed = static_cast<unsigned int>(postCondition(action));
   return {};
 }

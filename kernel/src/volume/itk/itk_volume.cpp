@@ -137,8 +137,8 @@ SampleType known_type(const itk::ImageIOBase& io, const Path& path) {
   return *type;
 }
 
-/// Factors that convert positions and spacings of a file to mm. ITK reads units of NIfTI only, and
-/// of these it scales spacings but not positions.
+/// Factors that convert positions and spacings of a file to mm. ITK reads units of NIfTI only. It scales spacings, and
+/// positions from version 5.3 on.
 struct Units {
   double origin = 1, spacing = 1;
   void apply(SampleLattice& lattice) const { lattice.origin *= origin, lattice.spacing *= spacing; }
@@ -200,6 +200,7 @@ class NiftiHeader {
   }
   /// The lowest three bits of byte 123 are the unit of space.
   [[nodiscard]] Units units() const {
+    if (ITK_VERSION_MAJOR > 5 || ITK_VERSION_MINOR >= 3) return {};
     switch (static_cast<unsigned char>(bytes_[123]) & 7) {
       case 1: return {1000, 1};
       case 3: return {1e-3, 1};
