@@ -1,5 +1,6 @@
 // openscad: makes the meshes that a design requests through fieldfab.scad, then runs OpenSCAD.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // simulate: carries out a program on a stock.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

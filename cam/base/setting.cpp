@@ -1,6 +1,7 @@
 #include "fieldfab/cam/base/setting.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // The graph of stages, and chains through it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <deque>

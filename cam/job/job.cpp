@@ -2,6 +2,7 @@
 #include "fieldfab/cam/job/job.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

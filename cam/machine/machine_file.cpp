@@ -1,5 +1,6 @@
 // Reader of machines' data files.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

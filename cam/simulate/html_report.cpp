@@ -1,5 +1,6 @@
 // Simulation report as one HTML page.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

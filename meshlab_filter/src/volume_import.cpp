@@ -1,6 +1,7 @@
 #include "volume_import.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 // Infix .frep text; its manual is docs/frep-language.md. Precedence is resolved with explicit
 // stacks, so nesting costs memory only.
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>

@@ -1,6 +1,7 @@
 // Placement of the items in the build of a .3mf file: reads the parts, counts the objects to be
 // placed, then places them. Files may nest objects to any depth, so nothing here is recursive.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
