@@ -296,3 +296,10 @@ def test_planted_cycles_are_caught():
     assert python_cycle(planted(objects_a="from ..a import b")) == []
     assert python_cycle(planted(objects_a="from ..a import b", a="def f():\n    from .objects import a"))
     assert python_cycle(planted(objects="from . import a", objects_a="from . import b"))
+
+
+def test_files_of_cam_stay_short():
+    """At most 450 lines: what is longer has two subjects."""
+    lengths = {str(file.relative_to(ROOT)): len(file.read_text().splitlines())
+               for file in files() if file.is_relative_to(ROOT / "cam")}
+    assert {name: lines for name, lines in lengths.items() if lines > 450} == {}
