@@ -17,6 +17,7 @@ import faults
 import numpy as np
 import pytest
 from conftest import BUILD, COMMAND
+from freecad_host import screen  # noqa: F401: a fixture
 
 OLD = b"the old file"
 JOB = """
@@ -575,6 +576,33 @@ def test_what_is_started_ends_with_the_one_that_started_it(how, folder):
            and not ((folder / "started").exists() or (how == "openscad" and children_of(process.pid)))):
         time.sleep(0.05)
     below = children_of(process.pid)
+    assert_ends_with_its_children(process, below)
+
+
+@pytest.mark.parametrize("host", ["meshlab", "edit"])
+def test_what_a_window_starts_ends_with_it(host, folder, screen):  # noqa: F811
+    """OpenSCAD, at work for MeshLab or for the edit window, ends with them, even if they are killed."""
+    (folder / "endless.scad").write_text("function f(n) = n < 1 ? 1 : f(n - 1) + f(n - 1); echo(f(40)); cube(f(40));")
+    words = {"meshlab": [BUILD / "meshlab" / "meshlabserver", "-i", "endless.scad"],
+             "edit": [COMMAND, "edit", "endless.scad"]}[host]
+    process = subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               env={**os.environ, "DISPLAY": screen, "HOME": str(folder)})
+    deadline = time.monotonic() + 30
+    while time.monotonic() < deadline and "openscad" not in [name_of(child) for child in children_of(process.pid)]:
+        time.sleep(0.05)
+    below = children_of(process.pid)
+    assert "openscad" in [name_of(child) for child in below]
+    assert_ends_with_its_children(process, below)
+
+
+def name_of(process):
+    try:
+        return pathlib.Path(f"/proc/{process}/comm").read_text().strip()
+    except OSError:
+        return ""
+
+
+def assert_ends_with_its_children(process, below):
     assert below
     process.kill()
     process.wait()
