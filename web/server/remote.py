@@ -16,7 +16,8 @@ def run(request, memory, seconds, most, topic, name):
     bytes."""
     import distributed  # installed on clusters; the server imports it only with --scheduler
 
-    told, stopped, late = distributed.get_worker().log_event, distributed.Event(name), threading.Event()
+    told, late = distributed.get_worker().log_event, threading.Event()
+    stopped = distributed.Event(name, client=distributed.get_client())  # which only this thread can find
     with tempfile.TemporaryDirectory(prefix="fieldfab-job-") as folder:
         words = [sys.executable, "-m", f"{__package__}.worker", str(memory)]
         with subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
