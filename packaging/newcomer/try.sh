@@ -15,6 +15,9 @@ step "apt install ./*.deb"
 apt-get install -q -y --no-install-recommends /packages/*.deb >/shots/install.log || { tail -20 /shots/install.log; exit 1; }
 dpkg-query -W -f '${Package} ${Version} ${db:Status-Status}\n' '*fieldfab*'
 
+# Recommended packages that MeshLab 2022.02 complains of when they are missing.
+apt-get install -q -y --no-install-recommends libmuparser2v5 lib3ds-1-3 libopenctm1 >/dev/null
+
 step "the command"
 examples=/usr/share/doc/fieldfab/examples
 fieldfab --version
