@@ -3,7 +3,12 @@
 set -euo pipefail
 LIBGL_ALWAYS_SOFTWARE=1 meshlab "$1" >/shots/meshlab_window.txt 2>&1 &
 program=$!
-for _ in $(seq 90); do grep -q 'All files opened' /shots/meshlab_window.txt && break; sleep 1; done
+for second in $(seq 90); do
+  sleep 1
+  grep -q 'All files opened' /shots/meshlab_window.txt && break
+  [ $((second % 10)) = 9 ] && xdotool key Return  # OK of MeshLab 2022.02's question about vertices of .stl files
+done
+grep -q 'All files opened' /shots/meshlab_window.txt
 sleep 3
 widest=0
 for each in $(xdotool search --onlyvisible --name MeshLab); do

@@ -36,6 +36,7 @@ NOT_RUN = {
     "./dev build": "takes minutes",
     "./dev package": "takes minutes; ./dev newcomer tries what it makes",
     "./dev newcomer": "takes minutes, and a Debian of its own",
+    "./dev newcomer trixie": "takes minutes, and a Debian of its own",
     "./dev on bookworm test": "takes more than an hour, and a Debian of its own",
     "./dev on trixie test": "takes more than an hour, and a Debian of its own",
     "apt install ./out/packages/*.deb": "writes into the system; ./dev newcomer does it in a bare Debian",

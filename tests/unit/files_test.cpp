@@ -152,6 +152,15 @@ TEST_F(Pictures, ReadBackTheSame) {
         write_file(folder / "cut.png", whole.substr(0, cut));
         EXPECT_THROW(read_png(folder / "cut.png"), Error) << cut;
       }
+      std::string longer = whole;  // the first chunk after the header says that it has nearly 2 GiB
+      longer.replace(33, 4, "\x7e\x22\x00\x07", 4);
+      write_file(folder / "longer.png", longer);
+      try {
+        read_png(folder / "longer.png");
+        ADD_FAILURE() << "read";
+      } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("ends within a chunk"), std::string::npos) << error.what();
+      }
     }
 }
 

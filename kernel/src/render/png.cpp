@@ -97,10 +97,28 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   write_file(path, png_bytes(image, path.string()));
 }
 
+namespace {
+
+/// Refuses chunks that are longer than the rest of the file: libpng would allocate up to 2 GiB for a damaged length.
+void require_whole_chunks(const std::string& bytes, const std::filesystem::path& path) {
+  constexpr std::size_t signature = 8, around = 12;  // bytes; a chunk's length, name and checksum
+  for (std::size_t at = signature; at < bytes.size();) {
+    const std::size_t left = bytes.size() - at;
+    const png_uint_32 length = left < around ? 0 : png_get_uint_32(reinterpret_cast<png_const_bytep>(&bytes[at]));
+    if (left < around || length > left - around)
+      throw Error(ErrorKind::bad_input, path.string(), "is a damaged PNG: it ends within a chunk");
+    if (bytes.compare(at + 4, 4, "IEND") == 0) return;
+    at += around + length;
+  }
+}
+
+}  // namespace
+
 Image read_png(const std::filesystem::path& path) {
   const std::string bytes = read_file(path);
   if (bytes.size() < 8 || png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) != 0)
     throw Error(ErrorKind::bad_input, path.string(), "is not a PNG");
+  require_whole_chunks(bytes, path);
   Source source{bytes};
   Reader reader(path);
   png_set_read_fn(reader.png, &source, [](png_structp png, png_bytep data, std::size_t size) {

@@ -49,6 +49,8 @@ class PngFile {
       from.at_ += size;
     });
     png_set_user_limits(png_, 1 << 20, 1 << 20);
+    // Texts, profiles and the like are skipped: libpng would allocate up to 2 GiB for a damaged length.
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(png_, info_);
     png_set_palette_to_rgb(png_);
     if (depth() < 8) png_set_expand_gray_1_2_4_to_8(png_);
