@@ -32,11 +32,7 @@ class CellFiller {
  public:
   CellFiller(const Field& solid, const Lattice& lattice, const Curves& curves, const ContourSettings& settings,
              Piece& piece)
-      : solid_(solid),
-        lattice_(lattice),
-        curves_(curves),
-        settings_(settings),
-        piece_(piece) {}
+      : solid_(solid), lattice_(lattice), curves_(curves), settings_(settings), piece_(piece) {}
 
   /// Fills one leaf, given the curves on its faces.
   void fill(const Leaf& leaf, std::span<CellCurve> around) {

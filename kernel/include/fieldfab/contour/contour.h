@@ -10,10 +10,10 @@ namespace fieldfab {
 
 /// Parameters of an isosurface.
 struct ContourSettings {
-  double voxel = 0;       ///< edge of the cells, mm, where the Field proves that such cells represent the whole surface
+  double voxel = 0;  ///< edge of the cells, mm, where the Field proves that such cells represent the whole surface
   /// permitted surface deviation of merged cells, mm; in parts of a voxel in proportion. Negative: a tenth of a voxel
   double max_error = -1;
-  bool features = true;   ///< whether vertices are placed on sharp edges and corners; a sampled Field has none
+  bool features = true;  ///< whether vertices are placed on sharp edges and corners; a sampled Field has none
   /// maximum number of halvings of a cell without such a proof: 6 gives a 64th of a voxel; 0: no proof is attempted
   int depth = 6;
   /// Maximum number of halved cells. Beyond it, smaller cells stay undivided and count as uncertain.
