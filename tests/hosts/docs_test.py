@@ -11,6 +11,7 @@ import importlib
 import inspect
 import json
 import os
+import pathlib
 import re
 import shutil
 import signal
@@ -296,6 +297,8 @@ def look():
         file.write(FreeCADGui.activeWorkbench().name())
     if "StartWorkbench" in FreeCADGui.listWorkbenches():  # its page ends root's FreeCAD where it may not
         FreeCADGui.activateWorkbench("StartWorkbench")
+    with open("left", "w") as file:
+        file.write(FreeCADGui.activeWorkbench().name())
     QtCore.QTimer.singleShot(3000, FreeCADGui.getMainWindow().close)
 QtCore.QTimer.singleShot(1000, look)
 """
@@ -308,7 +311,9 @@ def test_dev_freecad_has_the_workbench_chosen(folders, screen):  # noqa: F811
     before = own_freecad(folder)
     run("./dev freecad probe.py", folder, DISPLAY=screen)
     assert (folder / "seen").read_text() == "FieldfabWorkbench"
-    assert "Workbench" in (folder / "build" / "freecad" / "FreeCAD" / "user.cfg").read_text()
+    left = (folder / "left").read_text()
+    assert left == "StartWorkbench" or not pathlib.Path("/usr/share/freecad/Mod/Start/StartPage").exists()  # in 1.x
+    assert left in (folder / "build" / "freecad" / "FreeCAD" / "user.cfg").read_text()
     assert own_freecad(folder) == before
 
 

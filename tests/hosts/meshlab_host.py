@@ -14,6 +14,8 @@ import fieldfab
 VERSION = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "meshlab"], stdout=subprocess.PIPE).stdout.decode()
 # Later versions leave places that are not finite out when they open a file.
 REMOVES_NAN = not VERSION.startswith("2020")
+# What the line of a file that cannot be opened begins with.
+REFUSED = "Fieldfab: " if VERSION.startswith("2020") else "Error: "
 SERVER, WINDOW = BUILD / "meshlab" / "meshlabserver", BUILD / "meshlab" / "meshlab"
 # MeshLab's own, or what stands for it in later versions (tests/hosts/meshlab_server.cpp).
 MESHLABSERVER = next(path for path in (pathlib.Path("/usr/bin/meshlabserver"), SERVER) if path.exists())

@@ -268,28 +268,14 @@ void add_flat(Functions& all) {
 void add_lattices(Functions& all) {
   using namespace shapes;
   const char* const group = "Lattices";
-  all.push_back({"gyroid",
-                 group,
-                 {with("period", 1)},
-                 "neither",
-                 "give it walls with shell; their thickness may vary",
-                 "shell(gyroid(5), 0.8 + z / 12) & box(10, 10, 10)",
-                 [](A a) { return gyroid(a[0]); }});
-  all.push_back({"schwarz_p",
-                 group,
-                 {with("period", 1)},
-                 "neither",
-                 "the same",
-                 "shell(schwarz_p(5), 0.8) & box(10, 10, 10)",
-                 [](A a) { return schwarz_p(a[0]); }});
-  all.push_back(
-      {"diamond", group, {with("period", 1)}, "neither", "the same", "shell(diamond(5), 0.8) & sphere(6)", [](A a) {
-         return diamond(a[0]);
-       }});
   const auto repeated = [&](std::string_view name, std::string_view quality, std::string_view meaning,
                             std::string_view example, E (*make)(const E&)) {
     all.push_back({name, group, {with("period", 1)}, quality, meaning, example, [make](A a) { return make(a[0]); }});
   };
+  repeated("gyroid", "neither", "give it walls with shell; their thickness may vary",
+           "shell(gyroid(5), 0.8 + z / 12) & box(10, 10, 10)", gyroid);
+  repeated("schwarz_p", "neither", "the same", "shell(schwarz_p(5), 0.8) & box(10, 10, 10)", schwarz_p);
+  repeated("diamond", "neither", "the same", "shell(diamond(5), 0.8) & sphere(6)", diamond);
   repeated("cubic_struts", "exact", "edges of cubes; shell gives struts their thickness, which may vary",
            "shell(cubic_struts(5), 0.6) & box(5.6, 5.6, 5.6)", cubic_struts);
   repeated("bcc_struts", "exact", "from the middle of each cube to its corners (body-centred cubic)",

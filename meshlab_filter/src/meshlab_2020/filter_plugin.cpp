@@ -35,8 +35,7 @@ MeshFilterInterface::FilterClass FieldfabFilters::getClass(QAction* action) {
 }
 
 MeshFilterInterface::FILTER_ARITY FieldfabFilters::filterArity(QAction* action) const {
-  const Filter& filter = filter_of(ID(action));
-  return filter.needs_layer ? SINGLE_MESH : NONE;
+  return filter_of(ID(action)).needs_layer ? SINGLE_MESH : NONE;
 }
 
 // A filter reports missing input itself, in words; MeshLab's own check evaluates a layer that may
@@ -48,11 +47,9 @@ int FieldfabFilters::postCondition(QAction* action) const {
 }
 
 void FieldfabFilters::initParameterSet(QAction* action, MeshDocument& document, RichParameterList& parameters) {
-  try {
-    show_parameters(filter_of(ID(action)).parameters(document_from(document)), &document, parameters);
-  } catch (const std::exception& error) {
-    Log(GLLogStream::WARNING, std::string(error.what()));
-  }
+  const std::string message = message_of(
+      [&] { show_parameters(filter_of(ID(action)).parameters(document_from(document)), &document, parameters); }, "");
+  if (!message.empty()) Log(GLLogStream::WARNING, message);
 }
 
 bool FieldfabFilters::applyFilter(QAction* action, MeshDocument& document, const RichParameterList& list,

@@ -172,6 +172,8 @@ def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
     row = next(row for row in range(panel.rows.rowCount())
                if panel.rows.itemAt(row, QtWidgets.QFormLayout.LabelRole).widget().text() == "Length")
     box = panel.rows.itemAt(row, QtWidgets.QFormLayout.FieldRole).widget()
+    wait(lambda: panel.preview.stage in ("", "final"), what="a picture of the part as it was, if there is any")
+    panel.preview._faces_first = False  # as where the time for the faces is not known yet
     for length in (12.0, 13.0):
         panel.preview.stage = ""
         box.setProperty("rawValue", length)
@@ -181,7 +183,7 @@ def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
         assert panel.preview._refinement.exact and panel.preview._refinement.triangles == 12
         said = [label.text() for label in panel.form.findChildren(QtWidgets.QLabel)]
         assert "Final mesh" in said and not any("cells" in text for text in said)
-    assert seen[1]  # the first one, too, where the panel had shown the part before its length was changed
+    assert seen == [False, True]
     FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     window.shot("openscad_faces")
