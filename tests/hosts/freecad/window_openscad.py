@@ -172,13 +172,11 @@ def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
     row = next(row for row in range(panel.rows.rowCount())
                if panel.rows.itemAt(row, QtWidgets.QFormLayout.LabelRole).widget().text() == "Length")
     box = panel.rows.itemAt(row, QtWidgets.QFormLayout.FieldRole).widget()
-    wait(lambda: panel.preview.stage in ("", "final"), what="a picture of the part as it was, if there is any")
-    panel.preview._faces_first = False  # as where the time for the faces is not known yet
     for length in (12.0, 13.0):
         panel.preview.stage = ""
         box.setProperty("rawValue", length)
         wait(lambda: panel.preview.stage == "coarse", what="the first picture")
-        seen.append(panel.preview._refinement.exact)
+        seen.append(panel.preview._refinement.faces_first)  # `exact` may be true already: that of the next picture
         wait(lambda: panel.preview.stage == "final", what="the last picture")
         assert panel.preview._refinement.exact and panel.preview._refinement.triangles == 12
         said = [label.text() for label in panel.form.findChildren(QtWidgets.QLabel)]
