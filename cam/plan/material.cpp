@@ -65,8 +65,6 @@ Material::Material(const Stock& stock, const Plane& plane, const std::function<d
   }
 }
 
-double Material::top() const { return *std::max_element(heights_.values.begin(), heights_.values.end()); }
-
 double Material::greatest(const HeightMap& map, const Vec2& p, double reach) {
   const Vec2 low = (p - map.origin - Vec2::Constant(reach)) / map.cell,
              high = (p - map.origin + Vec2::Constant(reach)) / map.cell;
@@ -82,32 +80,9 @@ double Material::greatest(const HeightMap& map, const Vec2& p, double reach) {
   return found;
 }
 
-namespace {
-
-/// Sets the gaps of at most `longest` elements between set ones, except the longest gap of a closed sequence, whose
-/// last element is its first once more.
-void bridge(std::vector<bool>& set, std::size_t longest, bool closed) {
-  const std::size_t n = set.size() - (closed ? 1 : 0);
-  const auto start = static_cast<std::size_t>(std::find(set.begin(), set.end(), true) - set.begin());
-  std::vector<std::pair<std::size_t, std::size_t>> gaps;  // their first element and their length
-  std::size_t before = start;
-  for (std::size_t k = start + 1; k < n + (closed ? start + 1 : 0); ++k) {
-    if (!set[k % n]) continue;
-    if (k > before + 1) gaps.emplace_back(before + 1, k - before - 1);
-    before = k;
-  }
-  std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (closed && !gaps.empty()) gaps.pop_back();
-  for (const auto& [first, length] : gaps)
-    for (std::size_t i = first; length <= longest && i < first + length; ++i) set[i % n] = true;
-  if (closed) set[n] = set[0];
-}
-
-}  // namespace
-
 std::vector<Path> where_material(const std::vector<Path>& paths, const Material& material, double radius) {
   std::vector<Path> out;
-  const double step = std::max(material.cell(), radius / 3), least = 1e-3, top = material.top();
+  const double step = std::max(material.cell(), radius / 3), least = 1e-3;
   for (const Path& path : paths) {
     std::vector<PathPoint> points;
     for (const PathPoint& p : points_along(path, step)) {
@@ -122,9 +97,6 @@ std::vector<Path> where_material(const std::vector<Path>& paths, const Material&
     for (std::size_t i = 0; i < points.size(); ++i)
       meets[i] = material.certain(points[i].at.head<2>(), radius) > points[i].at.z() + least;
     if (std::none_of(meets.begin(), meets.end(), [](bool b) { return b; })) continue;
-    // Up, over and down again takes as long as a short way in the air.
-    const double up = std::max(0.0, top - points.front().at.z());
-    bridge(meets, static_cast<std::size_t>(up / step), path.closed);
     if (std::all_of(meets.begin(), meets.end(), [](bool b) { return b; })) {
       out.push_back(path);
       continue;

@@ -30,8 +30,6 @@ class Material {
   [[nodiscard]] double certain(const Vec2& p, double radius) const {
     return greatest(certain_, p, radius + 0.5 * certain_.cell);
   }
-  /// Returns the greatest height of all, mm. O(cells).
-  [[nodiscard]] double top() const;
   [[nodiscard]] double cell() const { return heights_.cell; }
 
  private:
