@@ -80,6 +80,29 @@ double Material::greatest(const HeightMap& map, const Vec2& p, double reach) {
   return found;
 }
 
+namespace {
+
+// A path that only just misses material for a short way is not divided: in radii of the tool.
+constexpr double wider = 1.25, longest_gap = 12;
+
+/// Fills gaps between true values of at most `most` values along which `near(i)` holds.
+template <class Near>
+void keep_along_material(std::vector<bool>& meets, const Near& near, std::size_t most) {
+  std::size_t last = meets.size();  // the last true value
+  for (std::size_t i = 0; i < meets.size(); ++i) {
+    if (!meets[i]) continue;
+    if (last < i && i - last - 1 <= most) {
+      std::size_t k = last + 1;
+      while (k < i && near(k)) ++k;
+      if (k == i)
+        for (k = last + 1; k < i; ++k) meets[k] = true;
+    }
+    last = i;
+  }
+}
+
+}  // namespace
+
 std::vector<Path> where_material(const std::vector<Path>& paths, const Material& material, double radius) {
   std::vector<Path> out;
   const double step = std::max(material.cell(), radius / 3), least = 1e-3;
@@ -93,9 +116,13 @@ std::vector<Path> where_material(const std::vector<Path>& paths, const Material&
       }
       points.push_back(p);
     }
+    const auto meets_within = [&](const PathPoint& p, double reach) {
+      return material.certain(p.at.head<2>(), reach) > p.at.z() + least;
+    };
     std::vector<bool> meets(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      meets[i] = material.certain(points[i].at.head<2>(), radius) > points[i].at.z() + least;
+    for (std::size_t i = 0; i < points.size(); ++i) meets[i] = meets_within(points[i], radius);
+    keep_along_material(meets, [&](std::size_t i) { return meets_within(points[i], wider * radius); },
+                        static_cast<std::size_t>(longest_gap * radius / step));
     if (std::none_of(meets.begin(), meets.end(), [](bool b) { return b; })) continue;
     if (std::all_of(meets.begin(), meets.end(), [](bool b) { return b; })) {
       out.push_back(path);
