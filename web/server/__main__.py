@@ -11,8 +11,12 @@ import socket
 import sys
 import webbrowser
 
-from aiohttp import web
-from aiohttp.http_exceptions import HttpProcessingError
+try:
+    from aiohttp import web
+    from aiohttp.http_exceptions import HttpProcessingError
+except ImportError:
+    print("fieldfab: serve needs aiohttp (Debian's python3-aiohttp)", file=sys.stderr)
+    sys.exit(2)
 
 from .app import Server
 from .safety import Guard, new_token
