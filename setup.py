@@ -39,4 +39,5 @@ def run(*words):
 
 BUILD.mkdir(parents=True, exist_ok=True)
 setup(version=VERSION, packages=["fieldfab"], package_dir={"": "python"}, cmdclass={"build_py": Build},
-      distclass=WithLibraries, options={"build": {"build_base": str(BUILD / "wheel")}, "egg_info": {"egg_base": str(BUILD)}})
+      distclass=WithLibraries,
+      options={"build": {"build_base": str(BUILD / "wheel")}, "egg_info": {"egg_base": str(BUILD)}})
