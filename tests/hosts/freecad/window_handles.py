@@ -2,17 +2,14 @@
 
 import FreeCAD
 import FreeCADGui
-import pointer
 import pytest
 import window
 from panels import Button, document, edit, frep, panels, shown  # noqa: F401
-from window import live, press
+from pointer import drag_arrow
+from window import press
 
 from fieldfab_workbench.objects import modify
 from fieldfab_workbench.objects import solid as solids
-from fieldfab_workbench.shim import QtCore
-from fieldfab_workbench.views import handles
-from fieldfab_workbench.views.part_view import PartView
 
 
 def modified(document, operation, **values):  # noqa: F811
@@ -29,17 +26,6 @@ def modified(document, operation, **values):  # noqa: F811
     return made
 
 
-def drag(document, panel, number, by):  # noqa: F811
-    """Drags an arrow by `by` mm along its way."""
-    handle = arrows(panel)[number]
-    view, grip = PartView(document), handles.GRIP * panel.handles.size
-    widget, place = view.widget(), handle.start() + handle.along * (handle.read() + grip)
-    scale = view.view.getSize()[0] / widget.width()
-    ends = [view.pixel_of(place + handle.along * way) for way in (0, by)]
-    pointer.drag(widget, *(QtCore.QPoint(round(x / scale), round(widget.height() - y / scale)) for x, y in ends))
-    live(0.4)
-
-
 def arrows(panel):
     return [handle for handle, *_ in panel.handles.arrows]
 
@@ -51,7 +37,7 @@ def test_an_offset_is_dragged(document, panels):  # noqa: F811
     edit(made)
     panel = panels[-1]
     window.shot("handle_offset")
-    drag(document, panel, 0, 4)
+    drag_arrow(document, panel.handles, 0, 4)
     assert made.Distance.Value == pytest.approx(5, abs=0.6)
     assert panel.widgets["Distance"].property("rawValue") == pytest.approx(made.Distance.Value)
     shown(panel.preview, "final", "detail", "divided")
@@ -66,7 +52,7 @@ def test_an_offset_is_dragged(document, panels):  # noqa: F811
 def test_cancel_takes_a_drag_back(document, panels):  # noqa: F811
     made = modified(document, "Shell", Wall=2)
     edit(made)
-    drag(document, panels[-1], 0, 3)
+    drag_arrow(document, panels[-1].handles, 0, 3)
     assert made.Wall.Value == pytest.approx(5, abs=0.6)
     press(Button.Cancel)
     assert made.Wall.Value == 2
@@ -75,7 +61,7 @@ def test_cancel_takes_a_drag_back(document, panels):  # noqa: F811
 def test_a_wall_is_not_dragged_below_nothing(document, panels):  # noqa: F811
     made = modified(document, "Shell", Wall=2)
     edit(made)
-    drag(document, panels[-1], 0, -8)
+    drag_arrow(document, panels[-1].handles, 0, -8)
     assert made.Wall.Value == 0
     press(Button.Cancel)
 
@@ -86,10 +72,10 @@ def test_the_step_of_an_array_is_dragged_along_each_axis(document, panels):  # n
     panel = panels[-1]
     assert len(arrows(panel)) == 3
     window.shot("handle_step")
-    drag(document, panel, 2, 8)
+    drag_arrow(document, panel.handles, 2, 8)
     assert tuple(made.Step) == (24, 0, pytest.approx(8, abs=0.8))
     window.shot("handle_step_up")
-    drag(document, panel, 0, -6)
+    drag_arrow(document, panel.handles, 0, -6)
     assert made.Step.x == pytest.approx(18, abs=0.8) and made.Step.z == pytest.approx(8, abs=0.8)
     window.shot("handle_step_dragged")
     press(Button.Ok)
