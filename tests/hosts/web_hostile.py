@@ -3,8 +3,8 @@ read no answers.
 
     PYTHONPATH=build/release/python /usr/bin/python3 tests/hosts/web_hostile.py [SECONDS]
 
-A regular client requests pictures at the same time. Prints its waiting times and the memory of the server and its
-workers."""
+A regular client requests pictures at the same time. Prints percentiles of its waiting times, and the memory of the
+server and its workers."""
 
 import asyncio
 import contextlib
@@ -134,7 +134,7 @@ async def siege(server, seconds, crowd=4):
     """Returns (waiting times of the regular client in s, [(seconds since the start, MB of the server, MB of the
     workers)], the server's output). Ends the server."""
     start = time.monotonic()
-    end, waited, memory = start + seconds, [], []
+    end, waited, memory = start + seconds, [], [(0, *resident(server))]
     hostile = [asyncio.create_task(again_and_again(each, server.port, end))
                for each in (vanishes, sends_garbage, floods, holds, starts_jobs) for _ in range(crowd)]
     said = asyncio.create_task(asyncio.to_thread(server.process.stdout.read))
@@ -160,9 +160,11 @@ def main():
         finally:
             server.kill()
     waited.sort()
-    print(f"{len(waited)} pictures; waited {waited[len(waited) // 2]:.2f} s in the median, {waited[-1]:.2f} s at most; "
+    shares = {name: waited[min(len(waited) - 1, int(share * len(waited)))]
+              for name, share in (("median", 0.5), ("90 %", 0.9), ("99 %", 0.99), ("at most", 1))}
+    print(f"{len(waited)} pictures; waits: {', '.join(f'{name} {wait:.2f} s' for name, wait in shares.items())}; "
           f"left in the folder: {left}; it said {said or 'nothing'}")
-    for i in range(0, len(memory), max(1, len(memory) // 10)):
+    for i in [*range(0, len(memory) - 1, max(1, len(memory) // 20)), len(memory) - 1]:
         print("{:6.0f} s: server {:6.0f} MB, workers {:6.0f} MB".format(*memory[i]))
 
 
