@@ -120,8 +120,7 @@ class Server:
         return web.json_response({})
 
     async def upload_scan(self, request):
-        await self.scans.upload(request.match_info["name"], request)
-        return web.json_response({}, status=201)
+        return web.json_response(await self.scans.upload(request.match_info["name"], request), status=201)
 
     async def remove_scan(self, request):
         self.scans.remove(request.match_info["name"])

@@ -1,8 +1,9 @@
 // The page: one document, its views, and the actions of the buttons.
 import { by, element, pressed } from "./elements";
+import { flushHistory, forgetHistory, type History, historyOf, keepHistory } from "./history";
 import { MachineView } from "./machine";
 import { Picture } from "./picture";
-import { lookAt, textOfScan, upload } from "./scan";
+import { asOne, lookAt, textOfScan, upload } from "./scan";
 import { ask, Connection, type LibraryFunction, post, Refusal } from "./server";
 import { emptySheet, writeSheet } from "./sheet";
 import { SheetView } from "./sheet_view";
@@ -58,9 +59,16 @@ picture.onPicture = (answer) => {
   by("right").classList.toggle("flat", answer.flat);
   machine.flat = answer.flat;
 };
-text.onChange = (now) => { store.change(now); show(now); };
+text.onChange = (now) => {
+  store.change(now);
+  keepHistory(store.name, () => text.history());
+  show(now);
+};
 sheet.onText = show;
-sheet.onChange = (document) => store.change(document);
+sheet.onChange = (document) => {
+  store.change(document);
+  keepHistory(store.name, () => sheet.history());
+};
 
 /** Shows the machine's panels in place of the document, or hides them. */
 function showMachine(on: boolean): void {
@@ -97,7 +105,13 @@ connection.onState = (isOpen) => {
     : "The server is away. Your changes are kept in this browser; the picture follows when it is back.";
 };
 
-function display(name: string, content: string): void {
+function notice(words: string): void {
+  by("notice").hidden = !words;
+  by("notice-words").textContent = words;
+}
+by("close-notice").onclick = () => notice("");
+
+function display(name: string, content: string, kept: History | null = null): void {
   const isSheet = languageOf(name) === "json";
   kind = isSheet ? "sheet" : "text";
   by("text-view").hidden = isSheet;
@@ -115,7 +129,7 @@ function display(name: string, content: string): void {
   if (isSheet) {
     showText(false);
     try {
-      sheet.open(content);
+      sheet.open(content, kept);
     } catch (error) {
       kind = "text";  // shown unchanged, never written
       by("text-view").hidden = false;
@@ -125,14 +139,18 @@ function display(name: string, content: string): void {
       text.mark([], (error as Error).message);
     }
   } else {
-    text.open(content, languageOf(name));
+    text.open(content, languageOf(name), kept);
     show(content);
   }
 }
 
 async function open(name: string): Promise<void> {
   try {
-    display(name, await store.open(name));
+    flushHistory();
+    const content = await store.open(name), kept = await historyOf(name);
+    display(name, content, kept);
+    notice(kept && store.changedElsewhere
+      ? `“${name}” was changed elsewhere: this is the newer version. Undo leads back to this browser's.` : "");
     by<HTMLDialogElement>("gallery").close();
   } catch (error) {
     alert(error instanceof Refusal ? error.message : "The server is away");
@@ -145,8 +163,10 @@ async function create(wanted: string, content: string): Promise<void> {
   const [, stem, end] = /^(.*?)(\.\w+)$/.exec(wanted)!;
   let name = wanted;
   for (let i = 2; taken.has(name); ++i) name = `${stem} ${i}${end}`;
-  await store.create(name, content);
+  flushHistory();
+  await Promise.all([store.create(name, content), forgetHistory(name)]);
   display(name, content);
+  notice("");
   by<HTMLDialogElement>("gallery").close();
 }
 
@@ -222,17 +242,23 @@ by("new-sheet").onclick = () => void create("sheet.json", writeSheet(emptySheet(
 
 by("new-scan").onclick = () => by("scan-file").click();
 by<HTMLInputElement>("scan-file").onchange = async () => {
-  const input = by<HTMLInputElement>("scan-file"), button = by<HTMLButtonElement>("new-scan"), file = input.files?.[0];
-  if (!file) return;
+  const input = by<HTMLInputElement>("scan-file"), button = by<HTMLButtonElement>("new-scan");
+  const files = [...input.files ?? []];
+  if (!files.length) return;
   button.disabled = true;
   try {
-    await upload(file, (share) => { button.textContent = `${Math.round(100 * share)} %`; })
-      .catch((error) => {
-        if (!(error instanceof Refusal && error.kind === "changed" && confirm(`${error.message}. Take that one?`)))
-          throw error;
-      });
+    const { name: given, data } = await asOne(files, (share) => {
+      button.textContent = `Packing ${Math.round(100 * share)} %`;
+    });
+    const { name, note } = await upload(given, data, (share) => {
+      button.textContent = share < 1 ? `${Math.round(100 * share)} %` : "Reading …";
+    }).catch((error) => {
+      const there = /^there is a scan '(.+)' already$/.exec(error.message)?.[1];
+      if (!there || !confirm(`${error.message}. Take that one?`)) throw error;
+      return { name: there, note: "" };
+    });
     button.textContent = "Reading …";
-    await create(file.name.replace(/(\.nii)?\.\w+$/, "") + ".frep", textOfScan(file.name, await lookAt(file.name)));
+    await create(name.replace(/(\.nii)?\.\w+$/, "") + ".frep", textOfScan(name, await lookAt(name), note));
   } catch (error) {
     alert(error instanceof Refusal ? error.message : "The server is away");
   } finally {

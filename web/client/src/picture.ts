@@ -12,6 +12,7 @@ export interface Camera {
 type Point = [number, number, number];
 
 const MOST_PIXELS = 3_900_000;
+const AGAIN = 1000; // ms until a picture is asked for again that the server was too busy for
 
 export function turned([x, y, z]: Point, { alpha, beta }: { alpha: number; beta: number }): Point {
   const u = Math.cos(alpha) * x - Math.sin(alpha) * y, v = Math.sin(alpha) * x + Math.cos(alpha) * y;
@@ -152,7 +153,10 @@ export class Picture {
         this.told.textContent = `${short(this.scale, 3)} mm a pixel · ${Math.round(waited)} ms`;
       this.onError(null);
       this.onPicture(answer);
-    } else if (answer.type === "error") this.onError(answer);
+    } else if (answer.type === "error") {
+      this.onError(answer);
+      if (answer.kind === "busy" && answer.number === this.number) setTimeout(() => this.ask(), AGAIN);
+    }
     if (answer.number === this.number) {
       this.asked = 0;
       if (this.again) this.ask();

@@ -1,5 +1,6 @@
 // The open document. Each change is stored in the browser at once and in its file soon after, so that it survives a
 // crash of either side.
+import { knownVersion, knowVersion } from "./history";
 import { ask, Refusal } from "./server";
 
 interface Draft { text: string; base: string | null }
@@ -14,6 +15,7 @@ const draftKey = (name: string): string => `fabserver draft ${name}`;
 export class Store {
   name = "";
   text = "";
+  changedElsewhere = false; // whether the opened text is one that this browser neither wrote nor read before
   private version: string | null = null; // of the file; null: no file yet
   private timer = 0;
   private saving = false;
@@ -29,10 +31,13 @@ export class Store {
     this.unanswered.clear();
     this.version = answer.headers.get("ETag")?.replaceAll('"', "") ?? null;
     this.text = text;
+    this.changedElsewhere = this.version !== (knownVersion(name) ?? this.version);
+    if (this.version) knowVersion(name, this.version);
     const draft = this.draft(name);
     if (draft && draft.text !== text && (draft.base === this.version ||
         confirm(`This browser has changes of “${name}” that are not in its file, ` +
           "which changed meanwhile. Take the browser's?"))) {
+      this.changedElsewhere = false;
       this.change(draft.text);
     } else {
       localStorage.removeItem(draftKey(name));
@@ -99,6 +104,7 @@ export class Store {
       const { version } = await answer.json();
       if (name === this.name) {
         this.version = version;
+        knowVersion(name, version);
         this.unanswered.clear();
         if (text === this.text) {
           localStorage.removeItem(draftKey(name));
