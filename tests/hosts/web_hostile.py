@@ -124,19 +124,20 @@ async def polite(server, end, waited, refusals):
 
 
 def resident(server):
-    """Returns the memory of the server and the total of its workers, MB."""
+    """Returns the memory of the server and of each of its workers, the largest first, MB. Two or more are the pool's;
+    the others have a job each."""
     def of(number):
         with contextlib.suppress(OSError):
             return int(next(line for line in open(f"/proc/{number}/status") if line.startswith("VmRSS"))
                        .split()[1]) / 1024
         return 0
 
-    return of(server.process.pid), sum(map(of, children(server.process.pid)))
+    return of(server.process.pid), sorted(map(of, children(server.process.pid)), reverse=True)
 
 
 async def siege(server, seconds, crowd=4):
     """Returns (waiting times of the regular client in s, its refusals, [(seconds since the start, MB of the server, MB
-    of the workers)], the server's output). Ends the server."""
+    of each worker)], the server's output). Ends the server."""
     start = time.monotonic()
     end, waited, refusals, memory = start + seconds, [], [], [(0, *resident(server))]
     hostile = [asyncio.create_task(again_and_again(each, server.port, end))
@@ -174,7 +175,8 @@ def main():
     print(f"{len(waited)} pictures; waits: {', '.join(f'{name} {wait:.2f} s' for name, wait in shares.items())}; "
           f"refusals: {len(refusals)} {set(refusals) or ''}; left in the folder: {left}; it said {said or 'nothing'}")
     for i in [*range(0, len(memory) - 1, max(1, len(memory) // 20)), len(memory) - 1]:
-        print("{:6.0f} s: server {:6.0f} MB, workers {:6.0f} MB".format(*memory[i]))
+        at, of_server, of_workers = memory[i]
+        print(f"{at:6.0f} s: server {of_server:4.0f} MB, workers {' '.join(f'{each:.0f}' for each in of_workers)} MB")
 
 
 if __name__ == "__main__":

@@ -207,6 +207,133 @@ def test_turning_and_zooming(page, folder):
     assert abs(page.coloured() - (240 - math.pi * 4)) < 4
 
 
+def test_a_point_of_the_model_is_dragged(page, folder):
+    """Parameters NAME_x and NAME_y make a handle: in a flat model, in the plane of a solid, by keys; undone."""
+    file = folder / "hole.frep"
+    text = ("hole_x = 0  # -15 to 15, the hole\nhole_y = 0  # -8 to 8\n"
+            "rectangle(40, 20) - move(circle(3), hole_x, hole_y)\n")
+    file.write_text(text)
+    page.open("hole.frep")
+    page.settled()
+    assert abs(page.coloured() - (800 - math.pi * 9)) < 9
+    scale = float(page.find("#picture").get_attribute("data-scale"))
+
+    def values():
+        return [float(each) for each in re.findall(r"= (-?[\d.]+)", file.read_text())]
+
+    def drag(dx, dy):
+        ActionChains(page.browser).click_and_hold(page.find(".handle")).move_by_offset(dx // 2, dy // 2).move_by_offset(
+            dx - dx // 2, dy - dy // 2).release().perform()
+
+    drag(round(10 / scale), round(-5 / scale))
+    page.until(lambda: np.allclose(values(), (10, 5), atol=scale), "the hole's place")
+    page.settled()
+    assert abs(page.coloured() - (800 - math.pi * 9)) < 9
+    page.shot("web_handle")
+    drag(round(8 / scale), 0)
+    page.until(lambda: values()[0] == 15, "the end of its range")
+    page.find(".handle").send_keys(Keys.ARROW_DOWN)
+    page.until(lambda: values()[1] < 5 - scale, "a move by a key")
+    for _ in range(12):  # moves within half a second are one step
+        page.find("#undo").click()
+    page.until(lambda: file.read_text() == text, "all undone")
+
+    page.type("#editor", Keys.CONTROL + "a", "pin_x = 4  # -9 to 9\npin_y = 2  # -9 to 9\npin_z = 3  # 0 to 9\n"
+              "box(20, 20, 1) | move(sphere(2), pin_x, pin_y, pin_z)")
+    page.until(lambda: page.find(".handle").get_attribute("title") == "pin: drag it", "the pin's handle")
+    page.find("#picture").send_keys("3")  # from the front: x to the right, z up
+    page.settled()
+    scale = float(page.find("#picture").get_attribute("data-scale"))
+    drag(round(-6 / scale), round(-4 / scale))
+    page.until(lambda: np.allclose(values(), (-2, 2, 7), atol=1.1 * scale), "x and z, not y")
+    page.find("#perspective").click()
+    page.until(lambda: not page.find(".handle").is_displayed(), "no handle in a perspective view")
+
+
+def test_measuring_sections_parts_and_files(page, folder, tmp_path):
+    """Two clicks measure; a section plane shows the inside; a click names a part, in its colour; a file is written."""
+    (folder / "parts.frep").write_text('part(move(box(20, 20, 20), -12), "left", "red")\n'
+                                       'part(move(box(20, 20, 20), 12), "right", "blue")\n')
+    page.open("parts.frep")
+    page.settled()
+    host = page.find("#picture")
+    host.send_keys("2")
+    page.settled()
+    scale = float(host.get_attribute("data-scale"))
+
+    def click(x, y):
+        to = round(x / scale), round(-y / scale)
+        ActionChains(page.browser).move_to_element_with_offset(host, *to).click().perform()
+
+    click(-10, 5)
+    page.until(lambda: page.text("#picture .told").startswith("left: -1"), "the left part")
+    click(10, 5)
+    page.until(lambda: page.text("#picture .told").startswith("right: "), "the right part")
+    colour = page.script("const c = document.querySelector('#picture canvas'); "
+                         "return [...c.getContext('2d').getImageData(c.width / 2 - 30, c.height / 2, 1, 1).data]")
+    assert colour[0] > 1.5 * colour[2], "red"
+    host.send_keys("m")
+    click(-10, -5)
+    page.until(lambda: page.text("#picture .told"), "the first point")
+    click(10, 5)
+    page.until(lambda: " mm (" in page.text("#picture .told"), "a distance")
+    distance = float(page.text("#picture .told").split()[0])
+    assert abs(distance - math.hypot(20, 10)) < 3 * scale
+    page.shot("web_measure")
+    host.send_keys("m")
+    before = page.picture()
+    page.find("#section option[value=z]").click()
+    page.until(lambda: page.find("#section-at").is_displayed(), "the plane's slider")
+    page.settled()
+    assert page.picture() != before
+    page.find("#section-at").send_keys(Keys.ARROW_LEFT)
+    page.settled()
+
+    page.browser.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(tmp_path)})
+    page.find("#download option[value='.stl']").click()
+    page.until(lambda: (tmp_path / "parts.stl").exists(), "the file, with the document's name")
+    page.until(lambda: abs(ff.Mesh.load(tmp_path / "parts.stl").volume - 16_000) < 20, "its volume")
+
+
+def test_phones(page, folder):
+    """A narrow page stacks its panes; nothing is wider than the screen; a finger turns the model, two zoom."""
+    (folder / "phone.frep").write_text("box(20, 12, 6) - move(cylinder(2, 20), 5)\n")
+    screen = {"width": 390, "height": 800, "deviceScaleFactor": 2, "mobile": True}
+    page.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    page.browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+    try:
+        page.open("phone.frep")
+        page.settled()
+        assert page.script("return document.documentElement.scrollWidth") <= 390
+        picture, text = page.find("#picture").rect, page.find("#editor").rect
+        assert picture["height"] > 200 and picture["width"] >= 380 and text["height"] > 80
+        assert picture["y"] < text["y"], "the picture is above"
+        before = page.picture()
+
+        def touch(kind, *points):
+            page.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {
+                "type": kind, "touchPoints": [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]})
+
+        x, y = picture["x"] + picture["width"] / 2, picture["y"] + picture["height"] / 2
+        touch("touchStart", (x, y))
+        for step in range(1, 6):
+            touch("touchMove", (x + 12 * step, y))
+        touch("touchEnd")
+        page.settled()
+        assert page.picture() != before, "turned"
+        scale = float(page.find("#picture").get_attribute("data-scale"))
+        touch("touchStart", (x - 20, y), (x + 20, y))
+        for step in range(1, 6):
+            touch("touchMove", (x - 20 - 10 * step, y), (x + 20 + 10 * step, y))
+        touch("touchEnd")
+        page.settled()
+        assert float(page.find("#picture").get_attribute("data-scale")) < 0.6 * scale, "zoomed"
+        page.shot("web_phone")
+    finally:
+        page.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        page.browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+
+
 def test_a_sheet_from_nothing(page, folder):
     """fabserver's own example: a circle node takes the place of another node and computes a radius from it."""
     page.open()

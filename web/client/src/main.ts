@@ -1,6 +1,7 @@
 // The page: one document, its views, and the actions of the buttons.
 import { by, element, pressed } from "./elements";
 import { flushHistory, forgetHistory, type History, historyOf, keepHistory } from "./history";
+import { Handles } from "./handles";
 import { MachineView } from "./machine";
 import { Picture } from "./picture";
 import { asOne, lookAt, textOfScan, upload } from "./scan";
@@ -13,7 +14,7 @@ import { knowWords, TextView } from "./text_view";
 const MOST_TEXT = 1_000_000;
 const connection = new Connection(), store = new Store();
 const picture = new Picture(by("picture"), connection, "main"), above = new Picture(by("sheet"), connection, "sheet");
-const machine = new MachineView(), text = new TextView(), sheet = new SheetView(above);
+const handles = new Handles(picture), machine = new MachineView(), text = new TextView(), sheet = new SheetView(above);
 let kind: "" | "text" | "sheet" = "", made = "";
 
 // Themes
@@ -52,7 +53,12 @@ function tell(mistakes: Parameters<TextView["mark"]>[0], message: string | null)
   by("picture").classList.toggle("stale", message !== null);
 }
 
-picture.onParameters = (answer) => { if (kind === "text") text.follow(answer.parameters!); };
+picture.onParameters = (answer) => {
+  if (kind !== "text") return;
+  text.follow(answer.parameters!);
+  handles.follow(text.known);
+};
+handles.onMove = (values) => text.set(values);
 picture.onError = (answer) => tell(answer?.mistakes ?? [], answer?.message ?? null);
 picture.onPicture = (answer) => {
   if (answer.flat === undefined) return;
@@ -122,6 +128,7 @@ function display(name: string, content: string, kept: History | null = null): vo
   picture.measure(false);
   pressed(by("measure"), false);
   picture.show(null);
+  handles.follow([]);
   above.show(null);
   picture.fit();
   document.body.classList.add("has-document");
@@ -328,8 +335,8 @@ by<HTMLSelectElement>("download").onchange = async () => {
       job = await (await ask(`/api/jobs/${job.job}?state=${job.state}&progress=${job.progress}`)).json();
     }
     if (job.state !== "done") throw new Refusal(422, job.state, job.error?.message ?? "It was cancelled");
-    const link = element("a",
-      { href: `/api/jobs/${job.job}/file`, download: store.name.replace(/\.\w+$/, "") + extension });
+    const download = store.name.replace(/\.\w+$/, "") + extension;
+    const link = element("a", { href: `/api/jobs/${job.job}/file?name=${encodeURIComponent(download)}`, download });
     link.click();
     if (job.result?.certain === false) alert("The file is written. It may lack parts that are thinner than its cells.");
   } catch (error) {
@@ -362,6 +369,7 @@ function toggle(id: string, now: boolean, act: (on: boolean) => void): void {
 function isOn(id: string): boolean { return by(id).getAttribute("aria-pressed") === "true"; }
 by("perspective").onclick = () => toggle("perspective", !isOn("perspective"), (on) => {
   picture.camera.perspective = on ? 0.6 : 0;
+  handles.place();
   picture.ask();
 });
 by("measure").onclick = () => toggle("measure", !isOn("measure"), (on) => picture.measure(on));
@@ -433,7 +441,8 @@ divider.onkeydown = (event) => {
 
 if (!localStorage.getItem("fabserver hint")) {
   const hint = element("div", { id: "hint" },
-    "Drag turns, the wheel zooms to the pointer, right drag moves. F shows all.");
+    matchMedia("(pointer: coarse)").matches ? "One finger turns, two move and zoom. Fit shows all."
+      : "Drag turns, the wheel zooms to the pointer, right drag moves. F shows all.");
   const close = element("button", { ariaLabel: "Close the hint" }, "✕");
   close.onclick = () => { localStorage.setItem("fabserver hint", "seen"); hint.remove(); };
   hint.append(close);

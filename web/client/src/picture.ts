@@ -323,13 +323,14 @@ export class Picture {
     this.touches.set(event.pointerId, [event.clientX, event.clientY]);
     this.host.setPointerCapture(event.pointerId);
     const panning = this.twoD || this.fixed || event.button !== 0 || event.shiftKey;
-    let way = 0;
+    let way = 0, alone = this.touches.size === 1;
     const move = (next: PointerEvent): void => {
       const last = this.touches.get(next.pointerId);
       if (!last) return;
       const dx = next.clientX - last[0], dy = next.clientY - last[1];
       way += Math.abs(dx) + Math.abs(dy);
       if (this.touches.size === 2) {
+        alone = false;
         const other = [...this.touches].find(([id]) => id !== next.pointerId)![1];
         const box = this.host.getBoundingClientRect();
         const before = Math.hypot(last[0] - other[0], last[1] - other[1]);
@@ -348,7 +349,8 @@ export class Picture {
       this.host.removeEventListener("pointerup", up);
       this.host.removeEventListener("pointercancel", up);
       const box = this.host.getBoundingClientRect();
-      if (way < 4 && event.button === 0 && !this.fixed) void this.pick(end.clientX - box.left, end.clientY - box.top);
+      if (alone && way < 4 && event.button === 0 && !this.fixed)
+        void this.pick(end.clientX - box.left, end.clientY - box.top);
     };
     this.host.addEventListener("pointermove", move);
     this.host.addEventListener("pointerup", up);

@@ -92,8 +92,7 @@ export class TextView {
 
   constructor() {
     this.editor = new EditorView({ parent: by("editor"), state: this.state("", false) });
-    this.histogram.onLevel = (name, value) => this.slide(this.parameters.findIndex((each) => each.name === name),
-      value);
+    this.histogram.onLevel = (name, value) => this.set({ [name]: value });
   }
 
   private quiet = false;
@@ -147,6 +146,9 @@ export class TextView {
     return { now: past.doc, past };
   }
 
+  /** The parameters of the text as it is now. */
+  get known(): Parameter[] { return this.parameters; }
+
   undo(): void { undo(this.editor); }
   redo(): void { redo(this.editor); }
 
@@ -183,20 +185,24 @@ export class TextView {
     const sliding = by("sliders").contains(document.activeElement);
     if (rows === this.rows && sliding) return;
     this.rows = rows;
-    by("sliders").replaceChildren(...parameters.map((each, i) => slider(
+    by("sliders").replaceChildren(...parameters.map((each) => slider(
       each.name, each.value, each.range ?? [Math.min(0, 2 * each.value), Math.max(0, 2 * each.value) || 1],
-      each.comment, (value) => this.slide(i, value), () => {})));
+      each.comment, (value) => this.set({ [each.name]: value }), () => {})));
   }
 
-  private slide(i: number, value: number): void {
-    const parameter = this.parameters[i];
-    if (!parameter) return;
-    const digits = String(value);
-    this.editor.dispatch({ changes: { from: parameter.offset, to: parameter.offset + parameter.length, insert: digits },
-      userEvent: "slider" });
-    const longer = digits.length - parameter.length;
-    parameter.length = digits.length;
-    for (const each of this.parameters) if (each.offset > parameter.offset) each.offset += longer;
+  /** Writes the values of parameters into the text. */
+  set(values: Record<string, number>): void {
+    const found = this.parameters.filter((each) => each.name in values).sort((a, b) => a.offset - b.offset);
+    if (!found.length) return;
+    const changes = found.map(({ name, offset, length }) =>
+      ({ from: offset, to: offset + length, insert: String(values[name]) }));
+    this.editor.dispatch({ changes, userEvent: "slider" });
+    for (const each of found) {
+      const longer = String(values[each.name]).length - each.length;
+      each.length += longer;
+      each.value = values[each.name];
+      for (const other of this.parameters) if (other.offset > each.offset) other.offset += longer;
+    }
   }
 }
 
