@@ -423,6 +423,7 @@ SCRIPTS = {
     "tests/bench/certainty_figures.py": "a benchmark, which takes minutes",
     "tests/bench/web_balancer.py": "a benchmark, which takes minutes",
     "tests/bench/web_drag.py": "a benchmark, which takes minutes",
+    "tests/bench/web_page.py": "a benchmark of the page in a browser",
     "tests/hosts/openscad_designs.py": "the table of docs/openscad.md, which takes an hour",
     "tests/hosts/web_hostile.py": "hosts/web_test.py runs it for a shorter time",
 }

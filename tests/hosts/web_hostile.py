@@ -124,11 +124,11 @@ async def polite(server, end, waited, refusals):
 
 
 def resident(server):
-    """Returns the memory of the server and of each of its workers, the largest first, MB. Two or more are the pool's;
-    the others have a job each."""
+    """Returns the memory without mapped files, MB: of the server, and of each of its workers, the largest first. Two of
+    these or more are the pool's; the others have a job each."""
     def of(number):
         with contextlib.suppress(OSError):
-            return int(next(line for line in open(f"/proc/{number}/status") if line.startswith("VmRSS"))
+            return int(next(line for line in open(f"/proc/{number}/status") if line.startswith("RssAnon"))
                        .split()[1]) / 1024
         return 0
 

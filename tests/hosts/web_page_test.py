@@ -205,6 +205,11 @@ def test_turning_and_zooming(page, folder):
     page.find("#mode option[value=bitmap]").click()
     page.settled()
     assert abs(page.coloured() - (240 - math.pi * 4)) < 4
+    bar = "const e = document.querySelector('#section-at'); e.value = arguments[0]; e.dispatchEvent(new Event('input'))"
+    page.script(bar, 1000)  # above the box
+    page.until(lambda: page.coloured() == 0, "an empty slice")
+    page.script(bar, 700)
+    page.until(lambda: page.coloured() > 200, "a slice near the top")
 
 
 def test_a_point_of_the_model_is_dragged(page, folder):
@@ -534,6 +539,31 @@ def test_groups_by_menu_rectangle_and_copies(page, folder):
                "all removed")
     page.find("#undo").click()
     page.until(lambda: len(nodes_of(file)) == 4 and len(json.loads(file.read_text())["groups"]) == 3, "all back")
+
+
+def test_a_sheet_by_keys(page, folder):
+    """Nodes are chosen, linked, cut and grouped without a mouse."""
+    file = folder / "keys.json"
+    file.write_text(sheet(("Centre", 0, 0, POINT, []), ("Circle", 16, 12, CIRCLE, []), ("Other", 5, 0, POINT, [])))
+    page.open("keys.json")
+    page.until(lambda: "Circle: " in page.text("#sheet-message"), "the circle that lacks a centre")
+    host = page.find("#sheet")
+    host.send_keys(Keys.TAB)
+    page.until(lambda: page.node("Centre").get_attribute("class").split()[-1] == "chosen", "the first node")
+    host.send_keys("l")
+    page.until(lambda: "is to take “Centre”" in page.text("#sheet-message"), "what to do next")
+    host.send_keys(Keys.TAB, "l")
+    page.until(lambda: nodes_of(file)["Circle"]["parents"] == [1], "the link")
+    page.settled()
+    assert abs(page.coloured() / (math.pi * 400) - 1) < 0.01
+    host.send_keys(Keys.ESCAPE)
+    host.send_keys(Keys.TAB, "l", Keys.TAB, "l")
+    page.until(lambda: nodes_of(file)["Circle"]["parents"] == [], "the link, cut")
+    host.send_keys(Keys.ESCAPE)
+    host.send_keys(Keys.TAB, " ", Keys.TAB)
+    page.until(lambda: "2 nodes" in page.text("#inspector"), "two chosen nodes")
+    host.send_keys(Keys.CONTROL + "g")
+    page.until(lambda: [each.get("group") for each in nodes_of(file).values()] == [4, 4, None], "the group")
 
 
 def test_a_mistake_in_a_closed_group_is_found(page, folder):

@@ -301,12 +301,12 @@ by("share").onclick = async () => {
 };
 
 async function begin(): Promise<void> {
-  const { functions, words }: { functions: LibraryFunction[]; words: { kind: string; name: string }[] } =
-    await (await ask("/api/library")).json();
+  const known: Promise<[{ functions: LibraryFunction[]; words: { name: string }[] }, { formats: string[] }]> =
+    Promise.all(["/api/library", "/api/documents"].map(async (each) => (await ask(each)).json())) as never;
+  const [{ functions, words }, { formats }] = await known;
   knowWords(words.map((each) => each.name));
   sheet.know(functions);
-  const { formats } = await (await ask("/api/documents")).json();
-  by("download").append(...(formats as string[]).map((each) => element("option", { value: each }, each.slice(1))));
+  by("download").append(...formats.map((each) => element("option", { value: each }, each.slice(1))));
   const hash = location.hash.slice(1);
   if (hash.startsWith("share=")) {
     try {
@@ -359,6 +359,7 @@ by("fit-sheet").onclick = () => sheet.fit();
 by<HTMLSelectElement>("mode").onchange = () => {
   const was = picture.twoD;
   picture.camera.mode = by<HTMLSelectElement>("mode").value;
+  section();
   if (was !== picture.twoD) picture.fit();
   else picture.ask();
 };
@@ -377,10 +378,12 @@ function section(): void {
   const axis = by<HTMLSelectElement>("section").value;
   const bar = by<HTMLInputElement>("section-at");
   const i = "xyz".indexOf(axis);
-  const { bounds } = picture;
-  bar.hidden = !axis;
+  const { bounds } = picture, share = Number(bar.value) / 1000;
+  const slice = picture.camera.mode === "bitmap" && !picture.flat;
+  bar.hidden = !axis && !slice;
+  picture.camera.z = slice && bounds ? bounds[2] + (bounds[5] - bounds[2]) * share : 0;
   picture.camera.section = axis && bounds
-    ? { axis, at: bounds[i] + (bounds[i + 3] - bounds[i]) * Number(bar.value) / 1000,
+    ? { axis, at: bounds[i] + (bounds[i + 3] - bounds[i]) * share,
       keep: axis === "y" ? "above" : "below" }
     : null;
   picture.ask();

@@ -6,7 +6,8 @@ import { element, short } from "./elements";
 export interface Model { text: string; language: string }
 export interface Camera {
   alpha: number; beta: number; perspective: number; mode: string;
-  section: { axis: string; at: number; keep: string } | null
+  section: { axis: string; at: number; keep: string } | null;
+  z: number  // of slices
 }
 
 type Point = [number, number, number];
@@ -22,7 +23,8 @@ export function turned([x, y, z]: Point, { alpha, beta }: { alpha: number; beta:
 export class Picture {
   readonly canvas = element("canvas");
   readonly told = element("div", { className: "told" });
-  readonly camera: Camera = { alpha: 0.5, beta: -0.95, perspective: 0, mode: "shaded", section: null };
+  readonly camera: Camera = { alpha: 0.5, beta: -0.95, perspective: 0, mode: "shaded", section: null,
+    z: 0 };
   bounds: Box | null = null;
   flat = false;
   scale = 0; // mm per pixel of the page; 0: unknown, fit the model
@@ -262,9 +264,9 @@ export class Picture {
 
   private async pick(px: number, py: number): Promise<void> {
     try {
-      const { text, language } = this.model!, { alpha, beta, mode, section } = this.camera;
+      const { text, language } = this.model!, { alpha, beta, mode, section, z } = this.camera;
       const found = await post<{ place: Point | null; value: number | null; part: string | null }>(
-        "/api/pick", { text, language, alpha, beta, mode, section, at: this.place(px, py) });
+        "/api/pick", { text, language, alpha, beta, mode, section, z, at: this.place(px, py) });
       if (!found.place) { this.told.textContent = "Nothing is there"; return; }
       if (this.measuring && this.camera.perspective === 0)
         this.measured = [...this.measured.slice(this.measured.length === 2 ? 2 : 0), found.place];

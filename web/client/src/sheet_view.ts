@@ -479,8 +479,29 @@ export class SheetView {
     this.choose([id]);
   }
 
+  private pinned = new Set<number>(); // chosen by Space: Tab adds the next one to them
+  private pulled: number | null = null; // the node whose link L begins
+
+  /** Begins a link at a node, or ends it there; cuts one that is there already. */
+  private linkByKey(item: Item): void {
+    const from = this.pulled === null ? undefined : this.sheet.nodes.find((each) => each.id === this.pulled);
+    if (!from || from.id === item.id) {
+      const outputs = isGroup(item) ? portsOf(this.sheet, item.id).outputs : [item];
+      this.pulled = outputs[0]?.id ?? null;
+      return this.tell(`Choose the node that is to take “${item.name}” (Tab), and press L`, null);
+    }
+    this.pulled = null;
+    this.tell(null, null);
+    if (isGroup(item)) return this.linkToGroup(from.id, item);
+    if (!item.parents.includes(from.id)) return this.link(from.id, item.id);
+    item.parents = item.parents.filter((id) => id !== from.id);
+    this.settle();
+    this.draw();
+  }
+
   choose(ids: number[]): void {
     this.chosen = new Set(ids);
+    this.pinned = new Set();
     for (const each of this.layer.querySelectorAll<HTMLElement>(".node"))
       each.classList.toggle("chosen", this.chosen.has(Number(each.dataset.id)));
     this.inspect();
@@ -550,10 +571,16 @@ export class SheetView {
     } else if (event.key === "Delete" || event.key === "Backspace") this.remove();
     else if (event.key === "a") this.openPalette();
     else if (event.key === "e") this.toggle();
+    else if (event.key === "l" && chosen.length === 1) this.linkByKey(chosen[0]);
+    else if (event.key === " " && chosen.length) this.pinned = new Set(this.chosen);
+    else if (event.key === "Escape") this.choose([]);
     else if (event.key === "Tab" && items.length && (chosen.length || !event.shiftKey)) {
-      const at = items.findIndex((item) => this.chosen.has(item.id)), next = at + (event.shiftKey ? -1 : 1);
+      const last = [...this.chosen].pop(), at = items.findIndex((item) => item.id === last);
+      const next = at + (event.shiftKey ? -1 : 1);
       if (next < 0 || next >= items.length) return;
-      this.choose([items[next].id]);
+      const pinned = this.pinned;
+      this.choose([...pinned, items[next].id]);
+      this.pinned = pinned;
     } else return;
     event.preventDefault();
     event.stopPropagation();
