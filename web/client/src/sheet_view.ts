@@ -4,8 +4,10 @@ import { by, element, pressed, short, slider, svg } from "./elements";
 import { around, copies, isGroup, type Item, makeGroup, membersOf, nextId, openGroups, portsOf, prune, shownAs,
   shownItems, toCopy, toggle, ungroup, withMembers } from "./groups";
 import type { History } from "./history";
-import { kindsOf, type NodeKind, ownKinds, saveKind } from "./library";
+import { kindsOf, type NodeKind, saveKind } from "./library";
+import { Palette } from "./palette";
 import type { Picture } from "./picture";
+import { dragRectangle, linkBetween } from "./sheet_drawing";
 import { Sandbox } from "./sandbox";
 import type { LibraryFunction, Mistake } from "./server";
 import { emptySheet, type Group, makesCircle, Past, readSheet, type Result, type Sheet, type SheetNode, textOf,
@@ -26,7 +28,7 @@ export class SheetView {
   private links = svg("svg", { class: "links", "aria-hidden": "true" });
   private code: { node: number; editor: EditorView } | null = null;
   private inspected = "";
-  private kinds: NodeKind[] = [];
+  private palette = new Palette();
   private mistakes = new Map<number, string>();
   onText: (text: string) => void = () => {};
   onChange: (document: string) => void = () => {};
@@ -40,7 +42,8 @@ export class SheetView {
     this.sandbox.onLate = (id) => this.tell(
       `${this.sheet.nodes.find((each) => each.id === id)?.name ?? "A node"} was stopped: it ran longer than a second`,
       id);
-    by("add-node").onclick = () => this.openPalette();
+    by("add-node").onclick = () => this.palette.open();
+    this.palette.onKind = (kind) => { this.add(kind); this.picture.host.focus(); };
     by("remove-node").onclick = () => this.remove();
     by<HTMLSelectElement>("snap").onchange = () => {
       this.sheet.snap = Number(by<HTMLSelectElement>("snap").value);
@@ -54,7 +57,6 @@ export class SheetView {
       else if (wanted === "toggle") this.toggle();
       else if (wanted === "ungroup") this.ungroup();
     };
-    by("find-node").oninput = () => this.listKinds();
     picture.host.addEventListener("keydown", (event) => this.key(event), true);
     picture.host.addEventListener("pointerdown", (event) => {
       if (event.target !== picture.canvas) return;
@@ -64,7 +66,7 @@ export class SheetView {
     new ResizeObserver(() => this.place()).observe(picture.host);
   }
 
-  know(functions: LibraryFunction[]): void { this.kinds = kindsOf(functions); }
+  know(functions: LibraryFunction[]): void { this.palette.kinds = kindsOf(functions); }
 
   /** Shows a document. `kept`: its undo history; another state than the history's becomes a step of it. Throws Error
    * for an invalid document. */
@@ -294,16 +296,8 @@ export class SheetView {
   private linkOf(from: number, node: SheetNode): SVGElement | null {
     const parent = this.sheet.nodes.find((each) => each.id === from)!;
     if (shownAs(this.sheet, parent) === shownAs(this.sheet, node)) return null;
-    const [x0, y0] = this.end(parent, "out"), [x1, y1] = this.end(node, "in");
-    const far = Math.hypot(x1 - x0, y1 - y0) || 1, bow = Math.min(24, far / 6);
-    const mx = (x0 + x1) / 2 + (y1 - y0) / far * bow, my = (y0 + y1) / 2 - (x1 - x0) / far * bow;
-    const path = `M${x0} ${y0}Q${mx} ${my} ${x1} ${y1}`;
-    const group = svg("g", { class: "link" });
-    const wide = svg("path", { d: path, class: "wide" });
-    const tip = svg("circle", { cx: (x0 + 2 * mx + x1) / 4, cy: (y0 + 2 * my + y1) / 4, r: 3 });
-    const title = svg("title");
-    title.textContent = `${parent.name} → ${node.name}: click to cut`;
-    group.append(wide, svg("path", { d: path }), tip, title);
+    const group = linkBetween(this.end(parent, "out"), this.end(node, "in"),
+      `${parent.name} → ${node.name}: click to cut`);
     group.addEventListener("pointerdown", (event) => {
       event.preventDefault();
       node.parents = node.parents.filter((id) => id !== from);
@@ -397,34 +391,14 @@ export class SheetView {
 
   /** Chooses what a rectangle contains that is dragged with Shift. */
   private chooseWithin(event: PointerEvent): void {
-    event.preventDefault();
-    event.stopPropagation();
-    const host = this.picture.host, box = host.getBoundingClientRect(), before = [...this.chosen];
-    const x0 = event.clientX - box.left, y0 = event.clientY - box.top;
-    const shown = element("div", { className: "rectangle" });
-    host.focus({ preventScroll: true });
-    host.append(shown);
-    host.setPointerCapture(event.pointerId);
-    const move = (next: PointerEvent): void => {
-      const x1 = next.clientX - box.left, y1 = next.clientY - box.top;
-      const [left, right, top, bottom] = [Math.min(x0, x1), Math.max(x0, x1), Math.min(y0, y1), Math.max(y0, y1)];
-      Object.assign(shown.style, { left: `${left}px`, top: `${top}px`, width: `${right - left}px`,
-        height: `${bottom - top}px` });
+    const before = [...this.chosen];
+    dragRectangle(this.picture.host, event, (left, top, right, bottom) => {
       const within = shownItems(this.sheet).filter((item) => {
         const [x, y] = this.picture.pixel(item.x, item.y);
         return x >= left && x <= right && y >= top && y <= bottom;
       });
       this.choose([...new Set([...before, ...within.map((item) => item.id)])]);
-    };
-    const up = (): void => {
-      shown.remove();
-      host.removeEventListener("pointermove", move);
-      host.removeEventListener("pointerup", up);
-      host.removeEventListener("pointercancel", up);
-    };
-    host.addEventListener("pointermove", move);
-    host.addEventListener("pointerup", up);
-    host.addEventListener("pointercancel", up);
+    });
   }
 
   // Groups
@@ -569,7 +543,7 @@ export class SheetView {
         each.x = this.snapped(each.x + way[0] * step), each.y = this.snapped(each.y + way[1] * step);
       this.settle();
     } else if (event.key === "Delete" || event.key === "Backspace") this.remove();
-    else if (event.key === "a") this.openPalette();
+    else if (event.key === "a") this.palette.open();
     else if (event.key === "e") this.toggle();
     else if (event.key === "l" && chosen.length === 1) this.linkByKey(chosen[0]);
     else if (event.key === " " && chosen.length) this.pinned = new Set(this.chosen);
@@ -685,26 +659,5 @@ export class SheetView {
     });
     this.code = { node: node.id, editor };
     markLine(editor, this.results.get(node.id)?.line ?? null, this.mistakes.get(node.id) ?? null);
-  }
-
-  // The library
-
-  private openPalette(): void {
-    by<HTMLInputElement>("find-node").value = "";
-    this.listKinds();
-    by<HTMLDialogElement>("palette").showModal();
-  }
-
-  private listKinds(): void {
-    const wanted = by<HTMLInputElement>("find-node").value.toLowerCase(), groups = new Map<string, NodeKind[]>();
-    for (const kind of [...ownKinds(), ...this.kinds])
-      if (`${kind.name} ${kind.meaning} ${kind.group}`.toLowerCase().includes(wanted))
-        groups.set(kind.group, [...(groups.get(kind.group) ?? []), kind]);
-    by("nodes").replaceChildren(
-      ...[...groups].map(([group, kinds]) => element("section", {}, element("h3", {}, group), ...kinds.map((kind) => {
-        const button = element("button", { title: kind.meaning }, kind.name);
-        button.onclick = () => { by<HTMLDialogElement>("palette").close(); this.add(kind); this.picture.host.focus(); };
-        return button;
-      }))));
   }
 }
