@@ -21,7 +21,7 @@ import pytest
 import web_hostile
 from conftest import BUILD, COMMAND
 from rs274 import moves_of_program
-from volume_test import dicom
+from volume_test import dicom, tiff
 from web_server import Server, Socket, children, pixels, wait_until
 
 import fieldfab as ff
@@ -684,6 +684,16 @@ def test_hostile_scans_are_refused(server, folder, tmp_path, name):
     status, _, answer = server.ask("PUT", f"/api/scans/{name}", data)
     error = refused((status, json.loads(answer)), 422, words)
     assert "upload-" not in error["message"] and sorted(os.listdir(folder)) == before
+
+
+def test_slices_have_the_distances_of_their_file(server, folder):
+    slices = {f"s/{k}.tif": tiff(BALL[k].astype("u1")) for k in range(32)}
+    told = b"widthScale = 0.5\nheightScale = 0.75\ndepthScale = 2\n"
+    given = zipped({**slices, "s/dimensions.txt": told, "s/readme.txt": b"words"})
+    assert server.ask("PUT", "/api/scans/slices.zip", given)[0] == 201
+    scan = server.post("/api/scan", {"name": "slices.nii"})[1]
+    assert scan["size"] == [32, 32, 32] and scan["spacing"] == [0.5, 0.75, 2]
+    server.ask("DELETE", "/api/scans/slices.nii")
 
 
 def test_what_a_killed_server_left_of_uploads_is_removed(tmp_path):

@@ -15,6 +15,7 @@ from .models import Mistakes
 HEADERS = (".mhd", ".mha", ".nhdr", ".nrrd", ".nii", ".nii.gz", ".vdb")
 SLICES = (".tif", ".tiff"), (".png",)
 SAMPLES = (".raw", ".vol")  # with sizes in their names
+DISTANCES = "dimensions.txt"  # of slices
 HEADER_BYTES = 1 << 16
 REFERENCE = re.compile(rb"^[ \t]*(?:data ?file|element ?data ?file)[ \t]*(?::=?|=)[ \t]*([^\r\n]*)", re.I | re.M)
 SERIES = re.compile(r"(\d+): \S+ \((\d+) files\)")
@@ -83,7 +84,8 @@ def to_read(folder):
              [path for path in paths if is_dicom(path)]]
     slices = next(filter(None, kinds), paths)
     for path in set(paths) - set(slices):
-        os.remove(path)
+        if os.path.basename(path) != DISTANCES:
+            os.remove(path)
     return folder
 
 
