@@ -1,6 +1,7 @@
 """Scans: files of densities in the documents' folder, uploaded whole or not at all."""
 
 import asyncio
+import contextlib
 import os
 import re
 import secrets
@@ -23,8 +24,9 @@ class Scans:
     def __init__(self, folder):
         self._folder, self._turn = os.path.realpath(folder), asyncio.Semaphore(LIMITS.uploads)
         for entry in os.scandir(self._folder):
-            if re.fullmatch(r"\.upload-[0-9a-f]{16}", entry.name) and time.time() - entry.stat().st_mtime > STALE:
-                self._clear(entry.path)
+            with contextlib.suppress(OSError):  # another server of the folder may remove it, too
+                if re.fullmatch(r"\.upload-[0-9a-f]{16}", entry.name) and time.time() - entry.stat().st_mtime > STALE:
+                    self._clear(entry.path)
 
     def path(self, name):
         """Returns a scan's path. Raises Refused for an invalid name."""
