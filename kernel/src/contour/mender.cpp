@@ -68,10 +68,16 @@ bool Mender::mend(const Flaw& flaw) {
   }
   confine(flaw, near_reaches.back());
   if (moved && error_at(draft_.middle(flaw)) <= draft_.tolerance) return false;
-  if (flaw.count == 1)
+  if (flaw.count == 1) {
     move(flaw);
-  else if (flaw.count == 3 || !flip(diamond))
-    divide(flaw, star);
+    return true;
+  }
+  Misfit before;
+  if (flaw.count == 3)
+    before = misfit(triangles(star.old));
+  else if (flip(diamond, before))
+    return true;
+  divide(flaw, star, before);
   return true;
 }
 
@@ -85,24 +91,23 @@ void Mender::move(const Flaw& flaw) {
     const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
     star.rim.push_back({v[(i + 1) % 3], v[(i + 2) % 3]});
   }
-  if (place(star, flaw)) draft_.moved[vertex] = 1;
+  if (place(star, flaw, misfit(triangles(star.old)))) draft_.moved[vertex] = 1;
 }
 
 /// Gives the star a new vertex on the feature that the flaw misses.
-void Mender::divide(const Flaw& flaw, Star star) {
+void Mender::divide(const Flaw& flaw, Star star, const Misfit& before) {
   const Eigen::Vector3f centre = draft_.middle(flaw);
   star.vertex = region_.spare_vertices.back();
   draft_.mesh.vertices[star.vertex] = {centre.x(), centre.y(), centre.z()};
-  if (place(star, flaw)) region_.spare_vertices.pop_back();
+  if (place(star, flaw, before)) region_.spare_vertices.pop_back();
 }
 
 /// Builds the star's triangles with its vertex on the sharpest feature near the flaw for which
 /// they are valid.
-bool Mender::place(const Star& star, const Flaw& flaw) {
+bool Mender::place(const Star& star, const Flaw& flaw, const Misfit& before) {
   const Eigen::Vector3f centre = draft_.middle(flaw);
   Position& position = draft_.mesh.vertices[star.vertex];
   const Position start = position;
-  const Misfit before = misfit(triangles(star.old));
   const auto features = features_near(*local_, local_box_, centre, draft_.voxel, near_reaches, search_);
   const bool thin = search_.least_cosine() < thin_cosine;
   constexpr int most_tries = 2;
@@ -181,11 +186,13 @@ bool Mender::grow(Star& star, std::size_t edge) {
   return true;
 }
 
-bool Mender::flip(const Diamond& diamond) {
+bool Mender::flip(const Diamond& diamond, Misfit& before) {
   const auto& [old, from, to, one, other] = diamond;
-  const Misfit before = misfit(triangles(old));
   const std::array<Triangle, 2> fresh{{{one, other, to}, {other, one, from}}};
-  return misfit(fresh).closer_than(before) && faces_out(0, fresh[0]) && faces_out(1, fresh[1]) &&
+  const std::array both{draft_.mesh.triangles[old[0]], draft_.mesh.triangles[old[1]], fresh[0], fresh[1]};
+  measure(both);
+  before = misfit(both, 0, 2);
+  return misfit(both, 2, 2).closer_than(before) && faces_out(2, fresh[0]) && faces_out(3, fresh[1]) &&
          draft_.editor.replace(region_, old, fresh, {}, made);
 }
 
@@ -212,7 +219,8 @@ std::vector<Triangle> Mender::triangles(std::span<const std::uint32_t> numbers) 
   return found;
 }
 
-Mender::Misfit Mender::misfit(std::span<const Triangle> triangles) {
+/// Evaluates the solid at samples of triangles.
+void Mender::measure(std::span<const Triangle> triangles) {
   scratch_.clear();
   for (const Triangle& v : triangles) {
     const Eigen::Vector3f a = draft_.at(v[0]), b = draft_.at(v[1]), c = draft_.at(v[2]);
@@ -222,9 +230,13 @@ Mender::Misfit Mender::misfit(std::span<const Triangle> triangles) {
       scratch_.add(p);
   }
   scratch_.ask(*local_);
+}
+
+/// Returns the misfit of `count` triangles from number `first` on, of those that were measured.
+Mender::Misfit Mender::misfit(std::span<const Triangle> measured, std::size_t first, std::size_t count) const {
   Misfit misfit;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Triangle& v = triangles[i];
+  for (std::size_t i = first; i < first + count; ++i) {
+    const Triangle& v = measured[i];
     float squares = 0;
     for (std::size_t j = samples_a_triangle * i; j < samples_a_triangle * (i + 1); ++j) {
       const float distance = scratch_.distance(j);
@@ -236,6 +248,11 @@ Mender::Misfit Mender::misfit(std::span<const Triangle> triangles) {
   return misfit;
 }
 
+Mender::Misfit Mender::misfit(std::span<const Triangle> triangles) {
+  measure(triangles);
+  return misfit(triangles, 0, triangles.size());
+}
+
 float Mender::error_at(const Eigen::Vector3f& point) {
   scratch_.clear();
   scratch_.add(point);
@@ -243,7 +260,7 @@ float Mender::error_at(const Eigen::Vector3f& point) {
   return std::abs(scratch_.distance(0));
 }
 
-/// Whether a triangle, number `i` of the last call of misfit(), is neither folded over nor
+/// Whether a triangle, number `i` of the last call of measure(), is neither folded over nor
 /// degenerate.
 bool Mender::faces_out(std::size_t i, const Triangle& triangle) const {
   const Eigen::Vector3f normal =

@@ -71,15 +71,17 @@ class Mender {
 
   void confine(const Flaw& flaw, float reach);
   void move(const Flaw& flaw);
-  bool flip(const Diamond& diamond);
-  void divide(const Flaw& flaw, Star star);
-  bool place(const Star& star, const Flaw& flaw);
+  bool flip(const Diamond& diamond, Misfit& before);
+  void divide(const Flaw& flaw, Star star, const Misfit& before);
+  bool place(const Star& star, const Flaw& flaw, const Misfit& before);
   bool place_on(const Star& star, PlacedVertex target, float reach, const Misfit& before);
   bool span(Star star, Misfit before);
   bool grow(Star& star, std::size_t edge);
   bool find_diamond(const Flaw& edge, Diamond& diamond) const;
   [[nodiscard]] std::uint32_t opposite(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] std::vector<Triangle> triangles(std::span<const std::uint32_t> numbers) const;
+  void measure(std::span<const Triangle> triangles);
+  [[nodiscard]] Misfit misfit(std::span<const Triangle> measured, std::size_t first, std::size_t count) const;
   Misfit misfit(std::span<const Triangle> triangles);
   float error_at(const Eigen::Vector3f& point);
   [[nodiscard]] bool faces_out(std::size_t i, const Triangle& triangle) const;
@@ -90,7 +92,7 @@ class Mender {
   FieldPtr region_field_;  ///< the solid inside `region_box_`
   Box local_box_;
   FieldPtr local_;   ///< the solid inside `local_box_`, the surroundings of the current flaw
-  Samples scratch_;  ///< of the last misfit()
+  Samples scratch_;  ///< of the last measure()
   FeatureSearch search_;
 };
 
