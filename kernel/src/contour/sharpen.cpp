@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <unordered_set>
 
 #include "fieldfab/core/parallel.h"
@@ -100,24 +101,21 @@ class Sharpener {
     for (const std::uint32_t t : open_) {
       examined_[t] = 1;
       const Triangle& v = draft_.mesh.triangles[t];
-      places.push_back({v, 3, 0, {}});
+      add(places, v, 3);
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t a = v[i], b = v[(i + 1) % 3];
-        places.push_back({{a, 0, 0}, 1, 0, {}});
-        places.push_back({{std::min(a, b), std::max(a, b), 0}, 2, 0, {}});
+        add(places, {a, 0, 0}, 1);
+        add(places, {std::min(a, b), std::max(a, b), 0}, 2);
       }
     }
-    const auto order = [](const Flaw& one, const Flaw& other) {
-      return one.count != other.count ? one.count < other.count : one.vertices < other.vertices;
-    };
-    std::sort(places.begin(), places.end(), order);
-    places.erase(
-        std::unique(places.begin(), places.end(),
-                    [&](const Flaw& one, const Flaw& other) { return !order(one, other) && !order(other, one); }),
-        places.end());
+    const auto key = [](const Flaw& flaw) { return std::tie(flaw.cell, flaw.count, flaw.vertices); };
+    std::sort(places.begin(), places.end(), [&](const Flaw& one, const Flaw& other) { return key(one) < key(other); });
+    places.erase(std::unique(places.begin(), places.end(),
+                             [&](const Flaw& one, const Flaw& other) { return key(one) == key(other); }),
+                 places.end());
     std::erase_if(places, [&](const Flaw& flaw) { return tried_.contains(key_of(flaw)); });
 
-    constexpr std::size_t chunk = 256;  // close to each other, since their numbers are
+    constexpr std::size_t chunk = 256;  // close to each other, since they are sorted by cells
     parallel_for((places.size() + chunk - 1) / chunk, [&](std::size_t part) {
       progress_.check();
       Samples samples;
@@ -127,7 +125,6 @@ class Sharpener {
         const Eigen::Vector3f middle = draft_.middle(places[i]);
         samples.add(middle);
         box = {box.lower.cwiseMin(middle.cast<double>()), box.upper.cwiseMax(middle.cast<double>())};
-        places[i].cell = editor_.cell_of({middle.x(), middle.y(), middle.z()});
       }
       samples.ask(*draft_.solid.restricted(box).field);
       for (std::size_t i = first; i < last; ++i) places[i].error = std::abs(samples.distance(i - first));
@@ -138,6 +135,13 @@ class Sharpener {
     });
     draft_.moved.assign(draft_.mesh.vertices.size(), 0);
     return places;
+  }
+
+  void add(std::vector<Flaw>& places, const Triangle& vertices, int count) const {
+    Flaw place{vertices, count, 0, {}};
+    const Eigen::Vector3f middle = draft_.middle(place);
+    place.cell = editor_.cell_of({middle.x(), middle.y(), middle.z()});
+    places.push_back(place);
   }
 
   static std::uint64_t key_of(const Flaw& flaw) {
