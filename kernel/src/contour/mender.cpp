@@ -46,8 +46,27 @@ void Mender::confine(const Flaw& flaw, float reach) {
     for (const std::uint32_t t : draft_.editor.fan(flaw.vertices[static_cast<std::size_t>(i)]))
       for (const std::uint32_t vertex : draft_.mesh.triangles[t]) local_box_ = united(local_box_, draft_.at(vertex));
   local_box_ = local_box_.grown(1.1 * static_cast<double>(reach * draft_.voxel));
-  const bool within = region_box_.contains(local_box_.lower) && region_box_.contains(local_box_.upper);
-  local_ = (within ? *region_field_ : draft_.solid).restricted(local_box_).field;
+  const auto holds = [&](const Box& box) { return box.contains(local_box_.lower) && box.contains(local_box_.upper); };
+  const Block& block = block_of(flaw.cell);
+  local_ = (holds(block.box)     ? *block.field
+            : holds(region_box_) ? *region_field_
+                                 : draft_.solid)
+               .restricted(local_box_)
+               .field;
+}
+
+/// Returns the solid in two cells along each axis and one cell around them; all are in the region.
+const Mender::Block& Mender::block_of(const Cell& cell) {
+  Cell lower = cell;
+  for (std::int64_t& place : lower) place &= ~std::int64_t{1};
+  Block& block = blocks_[lower];
+  if (!block.field) {
+    MeshEditor::Region region{lower, lower, {}, {}, {}};
+    for (std::size_t i = 0; i < 3; ++i) region.lower[i] -= 1, region.upper[i] += 3;
+    block.box = draft_.editor.extent(region);
+    block.field = region_field_->restricted(block.box).field;
+  }
+  return block;
 }
 
 bool Mender::mend(const Flaw& flaw) {

@@ -1,6 +1,7 @@
 /// Fits a patch of a mesh to a sharp edge or corner.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "fieldfab/field/field.h"
@@ -69,6 +70,12 @@ class Mender {
     std::uint32_t one, other;  ///< the opposite vertices
   };
 
+  struct Block {
+    Box box;
+    FieldPtr field;  ///< the solid in the box
+  };
+
+  const Block& block_of(const Cell& cell);
   void confine(const Flaw& flaw, float reach);
   void move(const Flaw& flaw);
   bool flip(const Diamond& diamond, Misfit& before);
@@ -90,6 +97,7 @@ class Mender {
   MeshEditor::Region& region_;
   Box region_box_;
   FieldPtr region_field_;  ///< the solid inside `region_box_`
+  std::map<Cell, Block> blocks_;
   Box local_box_;
   FieldPtr local_;   ///< the solid inside `local_box_`, the surroundings of the current flaw
   Samples scratch_;  ///< of the last measure()
