@@ -332,7 +332,8 @@ TEST(Stock, SurfaceIsKeptUpToDate) {
       stock.cut(strokes_of(solid, way));
       const std::vector<std::size_t> changed = surface.update(stock);
       std::vector<std::uint32_t> cuts, cuts_at_once;
-      const TriangleMesh mesh = surface.mesh(&cuts), at_once = stock.mesh(&cuts_at_once);
+      const TriangleMesh mesh = surface.mesh(&cuts),
+                         at_once = stock.mesh(&cuts_at_once, Progress::none(), StockEdges::sampled);
       ASSERT_EQ(mesh.vertices, at_once.vertices);
       ASSERT_EQ(mesh.triangles, at_once.triangles);
       ASSERT_EQ(cuts, cuts_at_once);
