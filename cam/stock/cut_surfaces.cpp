@@ -150,7 +150,11 @@ std::uint8_t stands_along(const StrokeLog::Entry& stroke) {
 
 }  // namespace
 
-CutSurfaces::CutSurfaces(const Stock& stock) : log_(stock.strokes_), cell_(stock.lattice().spacing().minCoeff()) {
+CutSurfaces::CutSurfaces(const Stock& stock)
+    : first_(stock.first_),
+      origin_(stock.lattice().box().lower),
+      log_(stock.strokes_),
+      cell_(stock.lattice().spacing().minCoeff()) {
   if (!log_) return;
   strokes_ = log_->entries();
   std::stable_sort(strokes_.begin(), strokes_.end(),
@@ -193,7 +197,21 @@ std::optional<CutSurfaces::Nearest> CutSurfaces::nearest(const Cut& cut, const V
   return nearest;
 }
 
+std::optional<CutSurfaces::Plane> CutSurfaces::tangent_to_first(const Vec3& place) const {
+  if (!first_) return {};
+  const Eigen::Vector3f at = (place + origin_).cast<float>();
+  float value = 0;
+  Eigen::Vector3f slope;
+  first_->gradients({&at.x(), &at.y(), &at.z(), 1}, &value, {&slope.x(), &slope.y(), &slope.z()});
+  const double length = slope.cast<double>().norm(), distance = value / length;
+  // Where the solid reaches the box, the surface is not the Field's.
+  if (!(length > 0) || !std::isfinite(length) || !(std::abs(distance) < 0.1 * cell_)) return {};
+  const Vec3 normal = slope.cast<double>() / length;
+  return Plane{place - distance * normal, normal};
+}
+
 std::optional<CutSurfaces::Plane> CutSurfaces::tangent(std::uint32_t cut, const Vec3& place, const Vec3& inward) const {
+  if (cut == 0) return tangent_to_first(place);
   const Cut* const found = find(cut);
   if (!found) return {};
   // On the surface itself the direction to the nearest point is not defined. A little outside of the swept volume it

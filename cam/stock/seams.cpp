@@ -66,7 +66,7 @@ class SeamFinder::Search {
   }
 
   [[nodiscard]] bool may_meet(const Vertex& a, const Vertex& b) const {
-    if (!a.cut || !b.cut) return false;
+    if (!(a.cut && b.cut) && (a.cut == b.cut || !finder_.surfaces_.has_first())) return false;
     const std::uint8_t axis = a.state & VertexState::axis_part, other = b.state & VertexState::axis_part;
     if (axis == 3 || other == 3) return false;
     if (a.cut != b.cut) return true;
@@ -110,12 +110,15 @@ class SeamFinder::Search {
   /// Whether all of a cube's vertices were made by one smooth cut, or are the stock's first surface.
   [[nodiscard]] bool plain(std::span<const std::array<std::uint32_t, 3>> triangles) const {
     std::uint32_t cut = 0;
+    bool first = false;
     for (const auto& t : triangles)
       for (const std::uint32_t corner : t) {
-        const std::uint32_t own = finder_.pieces_[finder_.pieces_.owner(index_, corner)].cut(corner & SurfacePiece::own_part);
+        const SurfacePiece& whose = finder_.pieces_[finder_.pieces_.owner(index_, corner)];
+        const std::uint32_t own = whose.cut(corner & SurfacePiece::own_part);
         if (own && cut && own != cut) return false;
-        cut = std::max(cut, own);
+        cut = std::max(cut, own), first |= !own;
       }
+    if (cut && first && finder_.surfaces_.has_first()) return false;
     return !cut || !finder_.surfaces_.has_edges(cut);
   }
 
@@ -192,34 +195,52 @@ class SeamFinder::Search {
     return result;
   }
 
-  /// The point of a cube that is nearest to the planes of all its vertices.
+  /// The point of a cube that is nearest to the planes of all its vertices, or to planes that touch the same surfaces
+  /// nearer to that point.
   void find_corner(SharpCube& cube) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    Vec3 side = Vec3::Zero(), middle = Vec3::Zero();
+    std::vector<std::pair<Vertex, Plane>> sides;
+    Vec3 middle = Vec3::Zero();
     for (const auto& edge : rim_) {
       const Vertex a = vertex(edge[0]);
       middle += from_corner(a.at) / static_cast<double>(rim_.size());
-      if (!a.cut || (a.state & VertexState::axis_part) == 3) continue;
-      if (const std::optional<Plane>& plane = plane_at(a)) {
-        sum += plane->normal * plane->normal.transpose();
-        side += plane->normal * plane->normal.dot(plane->place);
-      }
+      if ((a.state & VertexState::axis_part) == 3) continue;
+      if (const std::optional<Plane>& plane = plane_at(a)) sides.emplace_back(a, *plane);
+    }
+    Vec3 at = nearest_to(sides, middle);
+    if (!within(at, cube.lower)) return;
+    for (auto& [vertex, plane] : sides) {
+      const Vec3 near = at + 0.1 * (from_corner(vertex.at) - at);
+      const std::optional<Plane> closer = finder_.surfaces_.tangent(vertex.cut, near, inward(vertex));
+      if (closer && closer->normal.dot(plane.normal) > cosine_of_same) plane = *closer;
+    }
+    at = nearest_to(sides, middle);
+    if (!within(at, cube.lower)) return;
+    at += lattice().box().lower;
+    cube.has_corner = true;
+    cube.corner = {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z())};
+  }
+  [[nodiscard]] bool within(const Vec3& at, const Index3& lower) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto i = static_cast<Eigen::Index>(a);
+      const double cells = at[i] / lattice().spacing()[i] - lower[a];
+      if (!(cells > margin && cells < 1 - margin)) return false;
+    }
+    return true;
+  }
+  /// The point with the least sum of squared distances from planes, in the directions that they determine.
+  [[nodiscard]] static Vec3 nearest_to(const std::vector<std::pair<Vertex, Plane>>& sides, const Vec3& middle) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    Vec3 rest = Vec3::Zero();
+    for (const auto& [vertex, plane] : sides) {
+      sum += plane.normal * plane.normal.transpose();
+      rest += plane.normal * plane.normal.dot(plane.place - middle);
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
-    const Vec3 rest = side - sum * middle;
     Vec3 at = middle;
     for (int k = 0; k < 3; ++k)
       if (solver.eigenvalues()[k] > 0.02 * solver.eigenvalues()[2])
         at += solver.eigenvectors().col(k) * (solver.eigenvectors().col(k).dot(rest) / solver.eigenvalues()[k]);
-    if (!at.allFinite()) return;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const auto i = static_cast<Eigen::Index>(a);
-      const double cells = at[i] / lattice().spacing()[i] - cube.lower[a];
-      if (!(cells > margin && cells < 1 - margin)) return;
-    }
-    at += lattice().box().lower;
-    cube.has_corner = true;
-    cube.corner = {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z())};
+    return at;
   }
 
   const SeamFinder& finder_;

@@ -22,7 +22,7 @@ Stock::Stock(const Box& box, const StockSettings& settings)
 }
 
 Stock::Stock(const Field& field, const Box& box, const StockSettings& settings, Progress& progress)
-    : settings_(settings), lattice_(box, settings.cell, settings.cell_height) {
+    : settings_(settings), lattice_(box, settings.cell, settings.cell_height), first_(field.shared_from_this()) {
   divide_into_bricks();
   parallel_for(bricks_.size(), [&](std::size_t i) {
     progress.check();
@@ -172,7 +172,7 @@ double Stock::volume() const {
 }
 
 void Stock::forget_cuts() {
-  strokes_.reset();
+  strokes_.reset(), first_.reset();
   parallel_for(bricks_.size(), [&](std::size_t i) {
     if (bricks_[i]->uniform()) return;
     bricks_[i] = std::make_shared<Brick>(*bricks_[i]);

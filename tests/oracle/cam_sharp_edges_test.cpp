@@ -9,6 +9,8 @@
 #include "fieldfab/cam/stock/stock.h"
 #include "fieldfab/cam/stock/surface.h"
 #include "fieldfab/check/check.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/text.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -199,6 +201,40 @@ TEST(SharpEdges, OfAVGrooveLieAtItsBottom) {
   report("bottom of a V groove", before, after);
   EXPECT_TRUE(inspect(mesh.sharp).valid());
   EXPECT_LT(after.mean, 0.2 * before.mean);
+}
+
+/// A level cut through a cylinder of a Field, and three mutually perpendicular cuts that meet in a corner.
+TEST(SharpEdges, OfACutAndTheFirstSurfaceAreACircle) {
+  const auto field = frep::make_field(frep::parse_infix("max(sqrt(square(x - 7) + square(y - 6)) - 5, max(z - 4, -z))"));
+  Stock stock(*field, {{0, 0, -1}, {14, 12, 5}}, settings());
+  Milling milling(stock);
+  milling.cut(tool_solid(cutter("flat", 20)), {-2, 6, 2.47}, {16, 6, 2.47});
+  const Both mesh = meshes_of(stock);
+  std::vector<Vec3> rim;
+  for (int i = 0; i < 200; ++i)
+    rim.emplace_back(7 + 5 * std::cos(std::numbers::pi * i / 100), 6 + 5 * std::sin(std::numbers::pi * i / 100), 2.47);
+  const EdgeError before = edge_error(mesh.sampled, rim), after = edge_error(mesh.sharp, rim);
+  report("rim of a cylinder", before, after);
+  EXPECT_TRUE(inspect(mesh.sharp).valid());
+  EXPECT_LT(after.most, 0.015);
+}
+
+TEST(SharpEdges, MeetInACorner) {
+  Stock stock({{0, 0, 0}, {12, 12, 6}}, settings());
+  Milling milling(stock);
+  const ToolSolid solid = tool_solid(cutter("flat", 4));
+  milling.cut(solid, {-5, 3.07, 2.55}, {20, 3.07, 2.55});
+  milling.cut(solid, {3.11, -5, 2.55}, {3.11, 20, 2.55});
+  // From the side, a tool along x: a floor above which material is left, with a wall.
+  milling.cut(solid, ToolPose{{8.03, -5, 1.47}, -Vec3::UnitX()}, ToolPose{{8.03, 20, 1.47}, -Vec3::UnitX()});
+  const TriangleMesh mesh = stock.mesh();
+  EXPECT_TRUE(inspect(mesh).valid());
+  // The convex corner of two walls on the upper face, and the corner at the floor.
+  for (const Vec3& corner : {Vec3(5.11, 5.07, 6), Vec3(5.11, 5.07, 3.47)}) {
+    double least = 1;
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) least = std::min(least, (at(mesh, v) - corner).norm());
+    EXPECT_LT(least, 0.005 * cell) << corner.transpose();
+  }
 }
 
 /// Random cuts: the mesh stays closed and free of self-intersections.

@@ -116,7 +116,8 @@ class Stock {
 
   /// Returns the surface: closed and oriented outward. Axis-aligned flat areas made by one cut are merged: squares of
   /// up to 32 x 32 cells have one vertex. If `cuts` is not null, it receives the number of the cut that made each
-  /// vertex. Edges are sharp where the strokes are known that made them: not those of a stock from a file or a Field.
+  /// vertex. Edges are sharp where a stroke made at least one side, and the other side is that of a stroke or of
+  /// the Field; not where it comes from a file.
   /// Throws Error(cancelled), Error(too_large).
   [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr, Progress& progress = Progress::none(),
                                   StockEdges edges = StockEdges::sharp) const;
@@ -140,6 +141,7 @@ class Stock {
   int brick_ = 64;
   Index3 bricks_along_{1, 1, 1};
   std::vector<std::shared_ptr<Brick>> bricks_;
+  FieldPtr first_;                      ///< the solid that the stock was made of; null: its box, or a file
   std::shared_ptr<StrokeLog> strokes_;  ///< that removed material; null: none
 };
 
