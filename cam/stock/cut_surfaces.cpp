@@ -14,13 +14,13 @@ struct Section {
 };
 
 Section from_point(double r, double z, double size) {
-  const double length = std::hypot(r, z);
+  const double length = std::sqrt(r * r + z * z);  // hypot would be slower, and lengths are no extremes
   return length > 0 ? Section{length - size, r / length, z / length} : Section{-size, 0, -1};
 }
 
 Section from_frustum(double r, double z, const Zone& zone) {
-  const double slant = std::hypot(zone.r1 - zone.r0, zone.z1 - zone.z0);
-  const double out = (zone.z1 - zone.z0) / slant, up = (zone.r0 - zone.r1) / slant;
+  const double wide = zone.r1 - zone.r0, high = zone.z1 - zone.z0, slant = std::sqrt(wide * wide + high * high);
+  const double out = high / slant, up = -wide / slant;
   const double side = (r - zone.r0) * out + (z - zone.z0) * up;
   const double below = zone.z0 - z, above = z - zone.z1;
   if (side <= 0 && below <= 0 && above <= 0) {
@@ -29,7 +29,7 @@ Section from_frustum(double r, double z, const Zone& zone) {
   }
   if (below >= 0 && r <= zone.r0) return {below, 0, -1};
   if (above >= 0 && r <= zone.r1) return {above, 0, 1};
-  const double along = ((r - zone.r0) * (zone.r1 - zone.r0) + (z - zone.z0) * (zone.z1 - zone.z0)) / slant;
+  const double along = ((r - zone.r0) * wide + (z - zone.z0) * high) / slant;
   if (along <= 0) return from_point(r - zone.r0, z - zone.z0, 0);
   if (along >= slant) return from_point(r - zone.r1, z - zone.z1, 0);
   return {side, out, up};
@@ -73,22 +73,31 @@ class Moving {
   [[nodiscard]] Distance least() const {
     if (turns()) return least_while_turning();
     if (way_.squaredNorm() < 1e-18) return at(0);
-    // The distance is convex in time, because the piece is: its slope is -away . way, which rises.
+    const double way = way_.norm(), rise = way_.dot(stroke_.from.axis);
+    // At one height of the tool: where its axis passes nearest.
+    if (std::abs(rise) < 1e-9 * way)
+      return at(std::clamp((place_ - stroke_.from.tip).dot(way_) / way_.squaredNorm(), 0.0, 1.0));
+    // The distance is convex in time, because the piece is: its slope, -away . way, rises. Its zero by the Illinois
+    // method.
     Distance low = at(0), high = at(1);
     double slope_low = -low.away.dot(way_), slope_high = -high.away.dot(way_), begin = 0, end = 1;
     if (slope_low >= 0) return low;
     if (slope_high <= 0) return high;
-    const double small = 1e-9 * way_.norm();
-    for (int step = 0; step < 48 && end - begin > 1e-10; ++step) {
-      const double share = step % 3 == 2 ? 0.5 : slope_low / (slope_low - slope_high);
-      const double middle = begin + std::clamp(share, 0.001, 0.999) * (end - begin);
+    int side = 0;
+    for (int step = 0; step < 40 && end - begin > 1e-8; ++step) {
+      const double middle = begin + slope_low / (slope_low - slope_high) * (end - begin);
       const Distance now = at(middle);
       const double slope = -now.away.dot(way_);
-      if (std::abs(slope) < small) return now;
-      if (slope < 0)
+      if (std::abs(slope) < 1e-7 * way) return now;
+      if (slope < 0) {
         begin = middle, slope_low = slope, low = now;
-      else
+        if (side < 0) slope_high /= 2;
+        side = -1;
+      } else {
         end = middle, slope_high = slope, high = now;
+        if (side > 0) slope_low /= 2;
+        side = 1;
+      }
     }
     return low.value < high.value ? low : high;
   }
@@ -123,18 +132,23 @@ class Moving {
   Vec3 place_, way_, turn_;
 };
 
-/// Whether a stroke may come within a distance of a place.
-bool reaches(const StrokeLog::Entry& stroke, const Vec3& place, double distance) {
+/// The size of a piece: its greatest radius, and the ends of its axis.
+std::array<float, 3> size_of(const ToolPiece& piece) {
   double radius = 0, low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Zone& zone : stroke.piece->zones) {
+  for (const Zone& zone : piece.zones) {
     radius = std::max(radius, zone.shape == Zone::Shape::ring ? zone.r0 + zone.r1 : std::max(zone.r0, zone.r1));
     low = std::min(low, zone.z0), high = std::max(high, std::max(zone.z0, zone.z1));
   }
-  radius += distance;
+  return {static_cast<float>(radius), static_cast<float>(low), static_cast<float>(high)};
+}
+
+/// Whether a stroke may come within a distance of a place.
+bool reaches(const StrokeLog::Entry& stroke, const std::array<float, 3>& size, const Vec3& place, double distance) {
+  const double low = size[1], high = size[2], reach = static_cast<double>(size[0]) * 1.000001 + distance;
   for (int d = 0; d < 3; ++d) {
     const double a = stroke.from.tip[d] + low * stroke.from.axis[d], b = stroke.from.tip[d] + high * stroke.from.axis[d],
                  c = stroke.to.tip[d] + low * stroke.to.axis[d], e = stroke.to.tip[d] + high * stroke.to.axis[d];
-    if (place[d] < std::min({a, b, c, e}) - radius || place[d] > std::max({a, b, c, e}) + radius) return false;
+    if (place[d] < std::min({a, b, c, e}) - reach || place[d] > std::max({a, b, c, e}) + reach) return false;
   }
   return true;
 }
@@ -163,6 +177,7 @@ CutSurfaces::CutSurfaces(const Stock& stock)
     const StrokeLog::Entry& stroke = strokes_[i];
     if (cuts_.empty() || cuts_.back().number != stroke.cut)
       cuts_.push_back({stroke.cut, i, i, false, stands_along(stroke)});
+    sizes_.push_back(size_of(*stroke.piece));
     Cut& cut = cuts_.back();
     cut.last = i + 1;
     for (const Zone& zone : stroke.piece->zones) cut.edges |= zone.lower_edge;
@@ -189,7 +204,7 @@ std::size_t CutSurfaces::level_axis(std::uint32_t cut) const {
 std::optional<CutSurfaces::Nearest> CutSurfaces::nearest(const Cut& cut, const Vec3& place, double within) const {
   Nearest nearest{within, Vec3::Zero()};
   for (std::uint32_t i = cut.first; i < cut.last; ++i) {
-    if (!reaches(strokes_[i], place, nearest.distance)) continue;
+    if (!reaches(strokes_[i], sizes_[i], place, nearest.distance)) continue;
     const Distance distance = Moving(strokes_[i], place).least();
     if (distance.value < nearest.distance) nearest = {distance.value, distance.away};
   }

@@ -69,9 +69,10 @@ class SeamFinder::Search {
     if (!(a.cut && b.cut) && (a.cut == b.cut || !finder_.surfaces_.has_first())) return false;
     const std::uint8_t axis = a.state & VertexState::axis_part, other = b.state & VertexState::axis_part;
     if (axis == 3 || other == 3) return false;
-    if (a.cut != b.cut) return true;
-    if (!finder_.surfaces_.has_edges(a.cut)) return false;
-    return !(axis == other && a.at[axis] == b.at[axis] && finder_.surfaces_.level_axis(a.cut) == axis);
+    if (a.cut == b.cut && !finder_.surfaces_.has_edges(a.cut)) return false;
+    // Most pairs are on one floor.
+    const auto on_floor = [&](const Vertex& v) { return finder_.surfaces_.level_axis(v.cut) == axis; };
+    return !(axis == other && a.at[axis] == b.at[axis] && on_floor(a) && (a.cut == b.cut || on_floor(b)));
   }
   bool meet(const Vertex& a, const Vertex& b) {
     if (!may_meet(a, b)) return false;

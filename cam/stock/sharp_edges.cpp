@@ -314,6 +314,8 @@ class SharpEdges {
   void finish() {
     std::vector<Triangle> triangles;
     std::vector<Triangle>& all = whole_.mesh.triangles;
+    // Each seam adds a triangle to two cubes, and each corner some.
+    all.reserve(all.size() + sharp_.triangles.size() + 2 * seams_.size() + sharp_.cubes.size() / 8);
     for (std::size_t k = 0; k < sharp_.cubes.size(); ++k) {
       make(k, chosen_[k], triangles);
       all.insert(all.end(), triangles.begin(), triangles.end());
