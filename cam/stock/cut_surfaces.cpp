@@ -65,7 +65,7 @@ class Moving {
     else
       out = axis.unitOrthogonal();
     Section least;
-    for (const Zone& zone : stroke_.piece->zones)
+    for (const Zone& zone : stroke_.piece.zones)
       if (const Section section = from_zone(r, z, zone); section.distance < least.distance) least = section;
     return {least.distance, least.out * out + least.up * axis};
   }
@@ -79,9 +79,11 @@ class Moving {
       return at(std::clamp((place_ - stroke_.from.tip).dot(way_) / way_.squaredNorm(), 0.0, 1.0));
     // The distance is convex in time, because the piece is: its slope, -away . way, rises. Its zero by the Illinois
     // method.
-    Distance low = at(0), high = at(1);
-    double slope_low = -low.away.dot(way_), slope_high = -high.away.dot(way_), begin = 0, end = 1;
+    Distance low = at(0);
+    double slope_low = -low.away.dot(way_);
     if (slope_low >= 0) return low;
+    Distance high = at(1);
+    double slope_high = -high.away.dot(way_), begin = 0, end = 1;
     if (slope_high <= 0) return high;
     int side = 0;
     for (int step = 0; step < 40 && end - begin > 1e-8; ++step) {
@@ -132,19 +134,9 @@ class Moving {
   Vec3 place_, way_, turn_;
 };
 
-/// The size of a piece: its greatest radius, and the ends of its axis.
-std::array<float, 3> size_of(const ToolPiece& piece) {
-  double radius = 0, low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Zone& zone : piece.zones) {
-    radius = std::max(radius, zone.shape == Zone::Shape::ring ? zone.r0 + zone.r1 : std::max(zone.r0, zone.r1));
-    low = std::min(low, zone.z0), high = std::max(high, std::max(zone.z0, zone.z1));
-  }
-  return {static_cast<float>(radius), static_cast<float>(low), static_cast<float>(high)};
-}
-
 /// Whether a stroke may come within a distance of a place.
-bool reaches(const StrokeLog::Entry& stroke, const std::array<float, 3>& size, const Vec3& place, double distance) {
-  const double low = size[1], high = size[2], reach = static_cast<double>(size[0]) * 1.000001 + distance;
+bool reaches(const StrokeLog::Entry& stroke, const Vec3& place, double distance) {
+  const double low = stroke.low, high = stroke.high, reach = 1.000001 * static_cast<double>(stroke.radius) + distance;
   for (int d = 0; d < 3; ++d) {
     const double a = stroke.from.tip[d] + low * stroke.from.axis[d], b = stroke.from.tip[d] + high * stroke.from.axis[d],
                  c = stroke.to.tip[d] + low * stroke.to.axis[d], e = stroke.to.tip[d] + high * stroke.to.axis[d];
@@ -155,7 +147,7 @@ bool reaches(const StrokeLog::Entry& stroke, const std::array<float, 3>& size, c
 
 /// The axis of the lattice along which a flat-ended tool stands; 3: another tool or direction.
 std::uint8_t stands_along(const StrokeLog::Entry& stroke) {
-  const Zone& end = stroke.piece->zones.front();
+  const Zone& end = stroke.piece.zones.front();
   if (end.shape != Zone::Shape::frustum || end.r0 <= 0) return 3;
   for (std::uint8_t d = 0; d < 3; ++d)
     if (std::abs(stroke.from.axis[d]) == 1 && std::abs(stroke.to.axis[d]) == 1) return d;
@@ -170,17 +162,16 @@ CutSurfaces::CutSurfaces(const Stock& stock)
       log_(stock.strokes_),
       cell_(stock.lattice().spacing().minCoeff()) {
   if (!log_) return;
-  strokes_ = log_->entries();
+  strokes_ = log_->all();
   std::stable_sort(strokes_.begin(), strokes_.end(),
                    [](const auto& one, const auto& other) { return one.cut < other.cut; });
   for (std::uint32_t i = 0; i < strokes_.size(); ++i) {
-    const StrokeLog::Entry& stroke = strokes_[i];
-    if (cuts_.empty() || cuts_.back().number != stroke.cut)
-      cuts_.push_back({stroke.cut, i, i, false, stands_along(stroke)});
-    sizes_.push_back(size_of(*stroke.piece));
+    const StrokeLog::Entry stroke = StrokeLog::at(strokes_[i]);
+    if (cuts_.empty() || cuts_.back().number != strokes_[i].cut)
+      cuts_.push_back({strokes_[i].cut, i, i, false, stands_along(stroke)});
     Cut& cut = cuts_.back();
     cut.last = i + 1;
-    for (const Zone& zone : stroke.piece->zones) cut.edges |= zone.lower_edge;
+    for (const Zone& zone : stroke.piece.zones) cut.edges |= zone.lower_edge;
     if (cut.level != stands_along(stroke)) cut.level = 3;
   }
 }
@@ -204,8 +195,9 @@ std::size_t CutSurfaces::level_axis(std::uint32_t cut) const {
 std::optional<CutSurfaces::Nearest> CutSurfaces::nearest(const Cut& cut, const Vec3& place, double within) const {
   Nearest nearest{within, Vec3::Zero()};
   for (std::uint32_t i = cut.first; i < cut.last; ++i) {
-    if (!reaches(strokes_[i], sizes_[i], place, nearest.distance)) continue;
-    const Distance distance = Moving(strokes_[i], place).least();
+    const StrokeLog::Entry stroke = StrokeLog::at(strokes_[i]);
+    if (!reaches(stroke, place, nearest.distance)) continue;
+    const Distance distance = Moving(stroke, place).least();
     if (distance.value < nearest.distance) nearest = {distance.value, distance.away};
   }
   if (nearest.distance == within) return {};

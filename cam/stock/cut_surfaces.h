@@ -49,9 +49,8 @@ class CutSurfaces {
   FieldPtr first_;
   Vec3 origin_;
   std::shared_ptr<const StrokeLog> log_;
-  std::vector<StrokeLog::Entry> strokes_;  ///< by cut
-  std::vector<std::array<float, 3>> sizes_;  ///< of the strokes' pieces: radius, ends of the axis
-  std::vector<Cut> cuts_;                    ///< by number
+  std::vector<StrokeLog::Ref> strokes_;  ///< by cut
+  std::vector<Cut> cuts_;                ///< by number
   double cell_;
 };
 

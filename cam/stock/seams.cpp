@@ -181,7 +181,9 @@ class SeamFinder::Search {
         const std::optional<Plane> closer = finder_.surfaces_.tangent(whose.cut, near, inward(whose));
         if (closer && closer->normal.dot(planes[k].normal) > cosine_of_same) planes[k] = *closer;
       }
+      const Vec3 before = *at;
       at = meeting();
+      if (at && (*at - before).norm() < 0.02 * lattice().spacing().minCoeff()) break;
     }
     if (!at) return {};
     const auto side_of = [&](const Vec3& x) { return (q - p).cross(x - p)[i(d)]; };

@@ -13,6 +13,12 @@ bool same(const ToolPiece& one, const ToolPiece& other) {
                     });
 }
 
+double upper_end(const Zone& zone) { return std::max(zone.z0, zone.z1); }
+
+double widest(const Zone& zone) {
+  return zone.shape == Zone::Shape::ring ? zone.r0 + zone.r1 : std::max(zone.r0, zone.r1);
+}
+
 }  // namespace
 
 void StrokeLog::add(const Stroke& stroke, const Vec3& origin) {
@@ -29,9 +35,13 @@ void StrokeLog::add(const Stroke& stroke, const Vec3& origin) {
   if (!known && (!count || poses_.back() != from)) poses_.push_back(from);
   if (!known && moves) poses_.push_back(to);
   auto piece = pieces_.size();
-  while (piece > 0 && !same(*pieces_[piece - 1], *stroke.piece)) --piece;
+  while (piece > 0 && !same(pieces_[piece - 1].piece, *stroke.piece)) --piece;
   if (piece == 0) {
-    pieces_.push_back(std::make_unique<const ToolPiece>(*stroke.piece));
+    double radius = 0, low = stroke.piece->zones.front().z0, high = low;
+    for (const Zone& zone : stroke.piece->zones)
+      radius = std::max(radius, widest(zone)), low = std::min(low, zone.z0), high = std::max(high, upper_end(zone));
+    pieces_.push_back(
+        {*stroke.piece, static_cast<float>(radius), static_cast<float>(low), static_cast<float>(high)});
     piece = pieces_.size();
   }
   strokes_.push_back({stroke.cut, static_cast<std::uint32_t>(poses_.size() - (moves ? 2 : 1)),
@@ -45,16 +55,26 @@ std::uint64_t StrokeLog::bytes() const {
   return sum;
 }
 
-std::vector<StrokeLog::Entry> StrokeLog::entries() const {
-  const auto pose = [](const Pose& at) {
-    return ToolPose{Vec3(at[0], at[1], at[2]), Vec3(at[3], at[4], at[5]).normalized()};
-  };
-  std::vector<Entry> all;
+std::vector<StrokeLog::Ref> StrokeLog::all() const {
+  std::size_t count = 0;
+  for (const StrokeLog* part = this; part; part = part->before_.get()) count += part->strokes_.size();
+  std::vector<Ref> refs;
+  refs.reserve(count);
   for (const StrokeLog* part = this; part; part = part->before_.get())
-    for (const Record& r : part->strokes_)
-      all.push_back({part->pieces_[r.piece].get(), pose(part->poses_[r.from]),
-                     pose(part->poses_[r.from + (r.moves ? 1 : 0)]), r.cut});
-  return all;
+    for (std::uint32_t i = 0; i < part->strokes_.size(); ++i) refs.push_back({part, i, part->strokes_[i].cut});
+  return refs;
+}
+
+StrokeLog::Entry StrokeLog::at(const Ref& ref) {
+  const auto pose = [](const Pose& at) { return ToolPose{Vec3(at[0], at[1], at[2]), Vec3(at[3], at[4], at[5])}; };
+  const Record& record = ref.part->strokes_[ref.index];
+  const Piece& piece = ref.part->pieces_[record.piece];
+  return {piece.piece,
+          pose(ref.part->poses_[record.from]),
+          pose(ref.part->poses_[record.from + (record.moves ? 1 : 0)]),
+          piece.radius,
+          piece.low,
+          piece.high};
 }
 
 }  // namespace fieldfab::cam

@@ -23,17 +23,28 @@ class StrokeLog {
   /// Bytes of this part and all parts before it.
   [[nodiscard]] std::uint64_t bytes() const;
 
-  /// A stroke of the log, relative to the corner of the stock's box.
-  struct Entry {
-    const ToolPiece* piece;
-    ToolPose from, to;
-    std::uint32_t cut;
+  /// A stroke's place in the log, and the cut that it belongs to.
+  struct Ref {
+    const StrokeLog* part;
+    std::uint32_t index, cut;
   };
   /// All strokes, in no order.
-  [[nodiscard]] std::vector<Entry> entries() const;
+  [[nodiscard]] std::vector<Ref> all() const;
+
+  /// A stroke, relative to the corner of the stock's box.
+  struct Entry {
+    const ToolPiece& piece;
+    ToolPose from, to;
+    float radius, low, high;  ///< of the piece: greatest radius, ends of its axis
+  };
+  [[nodiscard]] static Entry at(const Ref& ref);
 
  private:
   using Pose = std::array<float, 6>;  // tip and axis
+  struct Piece {
+    ToolPiece piece;
+    float radius, low, high;
+  };
   struct Record {
     std::uint32_t cut, from;
     std::uint16_t piece;
@@ -41,7 +52,7 @@ class StrokeLog {
   };
 
   std::shared_ptr<const StrokeLog> before_;
-  std::vector<std::unique_ptr<const ToolPiece>> pieces_;
+  std::vector<Piece> pieces_;
   std::vector<Pose> poses_;
   std::vector<Record> strokes_;
 };
