@@ -17,7 +17,7 @@ using Place = SurfacePiece::Place;
 constexpr double degree = 0.017453292519943295;
 const double cosine_of_two = std::cos(3 * degree), cosine_of_one = std::cos(15 * degree);
 /// In cells: how near to a face's border seams may lie, and how far outside of the face what they are drawn from.
-constexpr double margin = 2e-3, most_overshoot = 0.5;
+constexpr double margin = 2e-3, most_overshoot = 0.2;
 /// A plane that was found anew nearer to the edge belongs to the same surface if it has turned by less than this.
 const double cosine_of_same = std::cos(25 * degree);
 
@@ -188,8 +188,18 @@ class SeamFinder::Search {
     if (!at) return {};
     const auto side_of = [&](const Vec3& x) { return (q - p).cross(x - p)[i(d)]; };
     const double side = side_of(*at);
+    const Vec3 exact = *at;
     if (overshoot(*at) > most_overshoot || side * side_of(*at) <= 0) return {};
     const double cell = lattice().spacing().minCoeff();
+    // A surface that bends within the cell, such as that of a small round tip, is no edge: near the crossing it has
+    // other planes.
+    for (std::size_t k = 0; k < 2 && a.cut == b.cut; ++k) {
+      const Vec3 way = (k ? q : p) - exact;
+      if (way.norm() < 0.1 * cell) continue;
+      const std::optional<Plane> near = finder_.surfaces_.tangent(a.cut, exact + 0.1 * way, inward(k ? b : a));
+      if (!near || near->normal.dot(planes[k].normal) < cosine_of_same) return {};
+      if (std::abs(near->normal.dot(exact - near->place)) > 0.05 * cell) return {};
+    }
     if ((*at - p).cross(q - p).norm() < 1e-3 * cell * (q - p).norm()) return {};  // nothing is cut off
     if (std::min((*at - p).norm(), (*at - q).norm()) < 1e-3 * cell) return {};
     const Vec3 place = *at + lattice().box().lower;
