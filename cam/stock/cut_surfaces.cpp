@@ -51,7 +51,10 @@ struct Distance {
 class Moving {
  public:
   Moving(const StrokeLog::Entry& stroke, const Vec3& place)
-      : stroke_(stroke), place_(place), way_(stroke.to.tip - stroke.from.tip), turn_(stroke.to.axis - stroke.from.axis) {}
+      : stroke_(stroke),
+        place_(place),
+        way_(stroke.to.tip - stroke.from.tip),
+        turn_(stroke.to.axis - stroke.from.axis) {}
 
   [[nodiscard]] Distance at(double time) const {
     Vec3 axis = stroke_.from.axis;
@@ -134,15 +137,18 @@ class Moving {
   Vec3 place_, way_, turn_;
 };
 
-/// Whether a stroke may come within a distance of a place.
-bool reaches(const StrokeLog::Entry& stroke, const Vec3& place, double distance) {
-  const double low = stroke.low, high = stroke.high, reach = 1.000001 * static_cast<double>(stroke.radius) + distance;
-  for (int d = 0; d < 3; ++d) {
-    const double a = stroke.from.tip[d] + low * stroke.from.axis[d], b = stroke.from.tip[d] + high * stroke.from.axis[d],
-                 c = stroke.to.tip[d] + low * stroke.to.axis[d], e = stroke.to.tip[d] + high * stroke.to.axis[d];
-    if (place[d] < std::min({a, b, c, e}) - reach || place[d] > std::max({a, b, c, e}) + reach) return false;
-  }
-  return true;
+/// A box around all that a stroke sweeps.
+Box bounds_of(const StrokeLog::Entry& stroke) {
+  const double low = stroke.low, high = stroke.high;
+  Box box{stroke.from.tip + low * stroke.from.axis, stroke.from.tip + low * stroke.from.axis};
+  for (const Vec3& end : {Vec3(stroke.from.tip + high * stroke.from.axis), Vec3(stroke.to.tip + low * stroke.to.axis),
+                          Vec3(stroke.to.tip + high * stroke.to.axis)})
+    box = hull(box, {end, end});
+  return box.grown(1.000001 * static_cast<double>(stroke.radius));
+}
+
+bool near(const Box& box, const Vec3& place, double distance) {
+  return ((place - box.upper).array() <= distance).all() && ((box.lower - place).array() <= distance).all();
 }
 
 /// The axis of the lattice along which a flat-ended tool stands; 3: another tool or direction.
@@ -169,6 +175,11 @@ CutSurfaces::CutSurfaces(const Stock& stock)
     const StrokeLog::Entry stroke = StrokeLog::at(strokes_[i]);
     if (cuts_.empty() || cuts_.back().number != strokes_[i].cut)
       cuts_.push_back({strokes_[i].cut, i, i, false, stands_along(stroke)});
+    const Box bounds = bounds_of(stroke);
+    if (i % group == 0)
+      groups_.push_back(bounds);
+    else
+      groups_.back() = hull(groups_.back(), bounds);
     Cut& cut = cuts_.back();
     cut.last = i + 1;
     for (const Zone& zone : stroke.piece.zones) cut.edges |= zone.lower_edge;
@@ -195,8 +206,12 @@ std::size_t CutSurfaces::level_axis(std::uint32_t cut) const {
 std::optional<CutSurfaces::Nearest> CutSurfaces::nearest(const Cut& cut, const Vec3& place, double within) const {
   Nearest nearest{within, Vec3::Zero()};
   for (std::uint32_t i = cut.first; i < cut.last; ++i) {
+    if (cut.last - cut.first > group && !near(groups_[i / group], place, nearest.distance)) {
+      i += group - 1 - i % group;  // the next stroke is the first of the next group
+      continue;
+    }
     const StrokeLog::Entry stroke = StrokeLog::at(strokes_[i]);
-    if (!reaches(stroke, place, nearest.distance)) continue;
+    if (!near(bounds_of(stroke), place, nearest.distance)) continue;
     const Distance distance = Moving(stroke, place).least();
     if (distance.value < nearest.distance) nearest = {distance.value, distance.away};
   }

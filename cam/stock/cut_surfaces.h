@@ -31,6 +31,7 @@ class CutSurfaces {
   [[nodiscard]] bool has_first() const { return first_ != nullptr; }
 
  private:
+  static constexpr std::uint32_t group = 16;
   struct Nearest {
     double distance;
     Vec3 outward;  ///< from the swept volume
@@ -50,6 +51,7 @@ class CutSurfaces {
   Vec3 origin_;
   std::shared_ptr<const StrokeLog> log_;
   std::vector<StrokeLog::Ref> strokes_;  ///< by cut
+  std::vector<Box> groups_;              ///< bounds of each `group` strokes: most are far from a place
   std::vector<Cut> cuts_;                ///< by number
   double cell_;
 };

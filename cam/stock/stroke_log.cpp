@@ -40,8 +40,7 @@ void StrokeLog::add(const Stroke& stroke, const Vec3& origin) {
     double radius = 0, low = stroke.piece->zones.front().z0, high = low;
     for (const Zone& zone : stroke.piece->zones)
       radius = std::max(radius, widest(zone)), low = std::min(low, zone.z0), high = std::max(high, upper_end(zone));
-    pieces_.push_back(
-        {*stroke.piece, static_cast<float>(radius), static_cast<float>(low), static_cast<float>(high)});
+    pieces_.push_back({*stroke.piece, static_cast<float>(radius), static_cast<float>(low), static_cast<float>(high)});
     piece = pieces_.size();
   }
   strokes_.push_back({stroke.cut, static_cast<std::uint32_t>(poses_.size() - (moves ? 2 : 1)),

@@ -150,10 +150,10 @@ TEST(SharpEdges, OfGroovesThatCrossAreTheirClosedForm) {
   std::vector<Vec3> edge;
   for (int i = 0; i <= 100; ++i) {
     const double t = i / 100.0;
-    edge.emplace_back(7.93 * t, 6.07, 2.55);           // floor and wall of the first groove
-    edge.emplace_back(7.93, 6.07 + 4 * t, 2.55);       // convex: its floor and the second's wall
-    edge.emplace_back(7.93, 16 * t, 1.31);             // floor and wall of the second
-    edge.emplace_back(7.93, 6.07, 2.55 + 2.45 * t);    // convex: both walls
+    edge.emplace_back(7.93 * t, 6.07, 2.55);         // floor and wall of the first groove
+    edge.emplace_back(7.93, 6.07 + 4 * t, 2.55);     // convex: its floor and the second's wall
+    edge.emplace_back(7.93, 16 * t, 1.31);           // floor and wall of the second
+    edge.emplace_back(7.93, 6.07, 2.55 + 2.45 * t);  // convex: both walls
   }
   const EdgeError before = edge_error(mesh.sampled, edge), after = edge_error(mesh.sharp, edge);
   report("crossing grooves", before, after);
@@ -205,7 +205,8 @@ TEST(SharpEdges, OfAVGrooveLieAtItsBottom) {
 
 /// A level cut through a cylinder of a Field, and three mutually perpendicular cuts that meet in a corner.
 TEST(SharpEdges, OfACutAndTheFirstSurfaceAreACircle) {
-  const auto field = frep::make_field(frep::parse_infix("max(sqrt(square(x - 7) + square(y - 6)) - 5, max(z - 4, -z))"));
+  const auto field =
+      frep::make_field(frep::parse_infix("max(sqrt(square(x - 7) + square(y - 6)) - 5, max(z - 4, -z))"));
   Stock stock(*field, {{0, 0, -1}, {14, 12, 5}}, settings());
   Milling milling(stock);
   milling.cut(tool_solid(cutter("flat", 20)), {-2, 6, 2.47}, {16, 6, 2.47});

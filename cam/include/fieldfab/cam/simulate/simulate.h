@@ -17,7 +17,7 @@
 namespace fieldfab::cam {
 
 struct SimulationOptions {
-  bool remember = false;  ///< whether to record the moves for Playback
+  bool remember = false;                 ///< whether to record the moves for Playback
   StockEdges edges = StockEdges::sharp;  ///< of the remaining stock's mesh
 };
 
