@@ -1,19 +1,13 @@
 #include "mesh_editor.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Segment_3.h>
-#include <CGAL/Triangle_3.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "fieldfab/mesh/triangle_contact.h"
+
 namespace fieldfab::contouring {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
 
 constexpr std::uint32_t no_fan = std::numeric_limits<std::uint32_t>::max();
 
@@ -65,39 +59,6 @@ bool contains(const MeshEditor::Region& region, const FloatBox& box, double size
   for (std::size_t i = 0; i < 3; ++i)
     if (low[i] < region.lower[i] || high[i] >= region.upper[i]) return false;
   return true;
-}
-
-Point point_of(const TriangleMesh& mesh, std::uint32_t vertex) {
-  const Position& p = mesh.vertices[vertex];
-  return {p[0], p[1], p[2]};
-}
-
-/// Returns whether two triangles of the mesh have more in common than their common vertices and the
-/// edge between them.
-bool overlap(const TriangleMesh& mesh, const Triangle& one, const Triangle& other) {
-  const auto point = [&](std::uint32_t vertex) { return point_of(mesh, vertex); };
-  std::array<std::size_t, 3> common{};  // positions in `one` of the vertices that are also in `other`
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (std::find(other.begin(), other.end(), one[i]) != other.end()) common[count++] = i;
-  const Kernel::Triangle_3 a(point(one[0]), point(one[1]), point(one[2]));
-  const Kernel::Triangle_3 b(point(other[0]), point(other[1]), point(other[2]));
-  if (count == 0) return CGAL::do_intersect(a, b);
-  if (count == 1) {
-    const std::size_t i = common[0];
-    const auto j = static_cast<std::size_t>(std::find(other.begin(), other.end(), one[i]) - other.begin());
-    const Kernel::Segment_3 facing_a(point(one[(i + 1) % 3]), point(one[(i + 2) % 3]));
-    const Kernel::Segment_3 facing_b(point(other[(j + 1) % 3]), point(other[(j + 2) % 3]));
-    return CGAL::do_intersect(facing_a, b) || CGAL::do_intersect(facing_b, a);
-  }
-  if (count == 3) return true;
-  const std::size_t lone = 3 - common[0] - common[1];
-  const std::uint32_t p = one[common[0]], q = one[common[1]];
-  const std::uint32_t third =
-      *std::find_if(other.begin(), other.end(), [&](std::uint32_t v) { return v != p && v != q; });
-  const Point ends[2] = {point(p), point(q)};
-  return CGAL::coplanar(ends[0], ends[1], point(one[lone]), point(third)) &&
-         CGAL::coplanar_orientation(ends[0], ends[1], point(one[lone]), point(third)) == CGAL::POSITIVE;
 }
 
 bool has(const Triangle& triangle, std::uint32_t vertex) {
@@ -224,7 +185,7 @@ bool MeshEditor::replace(Region& region, std::span<const std::uint32_t> old, std
     if (!fits(region, triangle, old)) return false;
   for (std::size_t i = 0; i < fresh.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (overlap(mesh_, fresh[i], fresh[j])) return false;
+      if (triangles_overlap(mesh_.vertices, fresh[i], fresh[j])) return false;
 
   const bool moves = displaced.vertex != Displaced::none;
   if (moves) std::swap(mesh_.vertices[displaced.vertex], displaced.position);
@@ -270,8 +231,7 @@ void MeshEditor::strike(std::uint32_t triangle) {
 }
 
 bool MeshEditor::fits(Region& region, const Triangle& triangle, std::span<const std::uint32_t> old) const {
-  if (CGAL::collinear(point_of(mesh_, triangle[0]), point_of(mesh_, triangle[1]), point_of(mesh_, triangle[2])))
-    return false;
+  if (is_degenerate(mesh_.vertices, triangle)) return false;
   const FloatBox box = box_of(mesh_, triangle);
   if (!contains(region, box, cell_)) return false;
   std::vector<std::uint32_t>& near = region.near;
@@ -299,7 +259,7 @@ bool MeshEditor::fits(Region& region, const Triangle& triangle, std::span<const 
   };
   return std::none_of(near.begin(), near.end(), [&](std::uint32_t t) {
     const Triangle& other = mesh_.triangles[t];
-    return shares_inner_edge(other) || overlap(mesh_, triangle, other);
+    return shares_inner_edge(other) || triangles_overlap(mesh_.vertices, triangle, other);
   });
 }
 
