@@ -89,11 +89,11 @@ class Moving {
     double slope_high = -high.away.dot(way_), begin = 0, end = 1;
     if (slope_high <= 0) return high;
     int side = 0;
-    for (int step = 0; step < 40 && end - begin > 1e-8; ++step) {
+    for (int step = 0; step < 40 && end - begin > 1e-6; ++step) {
       const double middle = begin + slope_low / (slope_low - slope_high) * (end - begin);
       const Distance now = at(middle);
       const double slope = -now.away.dot(way_);
-      if (std::abs(slope) < 1e-7 * way) return now;
+      if (std::abs(slope) < 1e-5 * way) return now;
       if (slope < 0) {
         begin = middle, slope_low = slope, low = now;
         if (side < 0) slope_high /= 2;
