@@ -33,7 +33,7 @@ class EditVerb final : public Verb {
 }  // namespace
 
 void become_python(const std::string& module, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{"/usr/bin/python3", "-m", module};
+  std::vector<std::string> words{python_program(), "-m", module};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment = python_environment();
   std::vector<char*> argv, env;

@@ -105,8 +105,12 @@ void bind_block(py::module_& module) {
           "removed by "
           "each step.")
       .def(
-          "mesh", [](const cam::Stock& stock) { return stock.mesh(); },
-          "The closed surface of what is left, level flats merged.")
+          "mesh",
+          [](const cam::Stock& stock, bool sharp) {
+            return stock.mesh(nullptr, Progress::none(), sharp ? cam::StockEdges::sharp : cam::StockEdges::sampled);
+          },
+          py::arg("sharp") = true,
+          "The closed surface of what is left, level flats merged; with vertices on edges, unless sharp is False.")
       .def_property_readonly("volume", &cam::Stock::volume)
       .def_property_readonly("bytes", [](const cam::Stock& stock) { return stock.statistics().bytes; })
       .def_property_readonly("splits", [](const cam::Stock& stock) { return stock.statistics().splits; });

@@ -75,7 +75,7 @@ SimulationResult simulate(SimulationSetup setup, std::vector<std::filesystem::pa
   const Stock& stock = run.stock();
   std::optional<DeviationGauge> gauge;
   if (setup.target) gauge.emplace(*setup.target, setup.floor, setup.gouge, run.cuts(), 0.5 * stock.tolerance());
-  ClosedMesh closed = closed_mesh(stock, gauge ? &*gauge : nullptr, progress);
+  ClosedMesh closed = closed_mesh(stock, options.edges, gauge ? &*gauge : nullptr, progress);
   const StockStatistics statistics = stock.statistics();
   std::optional<Deviation> deviation;
   if (gauge) {

@@ -11,16 +11,19 @@
 #include <atomic>
 #include <limits>
 #include <map>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
+#include "sharp_edges.h"
 
 namespace fieldfab::cam {
 namespace {
 
-constexpr unsigned doublings = 5;                     // log2 of the largest square's edge length
-constexpr std::uint8_t axis_part = 3, not_level = 4;  // bits of a vertex's state
+constexpr unsigned doublings = 5;  // log2 of the largest square's edge length
+constexpr std::uint8_t axis_part = VertexState::axis_part, not_level = VertexState::not_level;
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -38,16 +41,22 @@ std::uint32_t interleaved(std::uint32_t x, std::uint32_t y) {
 /// Simplifies flats piece by piece and assembles the mesh.
 class Merging {
  public:
-  Merging(const SurfacePieces& pieces, DeviationGauge* gauge) : pieces_(pieces), gauge_(gauge), parts_(pieces.size()) {
+  /// Without `surfaces`, edges remain as they were sampled.
+  Merging(const SurfacePieces& pieces, const CutSurfaces* surfaces, DeviationGauge* gauge)
+      : pieces_(pieces), gauge_(gauge), parts_(pieces.size()) {
     if (gauge_) gauge_->begin(pieces.size());
+    if (surfaces) seams_.emplace(pieces, *surfaces);
   }
 
   /// Registers a piece's vertices, before its triangles are made.
   void begin(std::size_t index) {
     std::vector<std::uint8_t>& level = parts_[index].level;
     level.reserve(pieces_[index].edges);
-    pieces_[index].for_each_edge(
-        [&](const Index3&, std::size_t axis) { level.push_back(static_cast<std::uint8_t>(axis)); });
+    const std::optional<Occupancy>& shape = pieces_[index].shape;
+    pieces_[index].for_each_edge([&](const Index3& p, std::size_t axis) {
+      const bool upwards = seams_ && shape && shape->at(p);
+      level.push_back(static_cast<std::uint8_t>(axis | (upwards ? VertexState::upwards : 0)));
+    });
     if (gauge_) gauge_->measure(index, pieces_[index].vertices);
   }
 
@@ -72,8 +81,9 @@ class Merging {
       const std::uint8_t a = axis[0];
       if (a < 3 && a == axis[1] && a == axis[2] && (*at[0])[a] == (*at[1])[a] && (*at[0])[a] == (*at[2])[a]) continue;
       for (std::size_t i = 0; i < 3; ++i)
-        if (level[i]) std::atomic_ref(*level[i]).store(axis[i] | not_level, std::memory_order_relaxed);
+        if (level[i]) std::atomic_ref(*level[i]).fetch_or(not_level, std::memory_order_relaxed);
     }
+    if (seams_) find_sharp_cubes(index);
   }
 
   /// Finds a piece's squares. The piece and those before it must be marked.
@@ -130,15 +140,34 @@ class Merging {
     chunks_.resize(first + group.size());
     parallel_for(group.size(), [&](std::size_t k) {
       std::vector<Triangle>& left = chunks_[first + k].mesh.triangles;
-      for (Triangle t : pieces_[group[k]].corners) {
-        for (std::uint32_t& v : t) {
-          const Part& part = parts_[pieces_.owner(group[k], v)];
-          v = part.first + part.now[v & SurfacePiece::own_part];
+      SharpCubes& sharp = parts_[group[k]].sharp;
+      const auto rename = [&](std::uint32_t& v) {
+        const Part& part = parts_[pieces_.owner(group[k], v)];
+        v = part.first + part.now[v & SurfacePiece::own_part];
+      };
+      const std::span<const Triangle> corners = pieces_[group[k]].corners;
+      auto next = sharp.triangles.begin();  // the triangles of sharp cubes are omitted, in their order
+      for (Triangle t : corners) {
+        if (next != sharp.triangles.end() && t == *next) {
+          ++next;
+          continue;
         }
+        for (std::uint32_t& v : t) rename(v);
         if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) left.push_back(t);
       }
       left.shrink_to_fit();
+      for (Triangle& t : sharp.triangles)
+        for (std::uint32_t& v : t) rename(v);
+      for (Seam& seam : sharp.seams)
+        for (std::uint32_t& v : seam.ends) rename(v);
     });
+    for (const std::size_t index : group) {
+      SharpCubes& sharp = parts_[index].sharp;
+      sharp_.cubes.insert(sharp_.cubes.end(), sharp.cubes.begin(), sharp.cubes.end());
+      sharp_.triangles.insert(sharp_.triangles.end(), sharp.triangles.begin(), sharp.triangles.end());
+      sharp_.seams.insert(sharp_.seams.end(), sharp.seams.begin(), sharp.seams.end());
+      sharp = {};
+    }
   }
   /// Releases a piece.
   void forget(std::size_t index) {
@@ -161,6 +190,7 @@ class Merging {
     put_together(whole.mesh.vertices, [](ClosedMesh& c) -> auto& { return c.mesh.vertices; });
     put_together(whole.cuts, [](ClosedMesh& c) -> auto& { return c.cuts; });
     put_together(whole.deviations, [](ClosedMesh& c) -> auto& { return c.deviations; });
+    if (!sharp_.cubes.empty()) close_sharp_cubes(sharp_, pieces_.lattice(), gauge_, whole);
     return whole;
   }
 
@@ -173,7 +203,22 @@ class Merging {
     std::vector<std::uint32_t> now;   ///< index of each vertex among the remaining ones
     ClosedMesh left;                  ///< the remaining vertices, without triangles
     std::uint32_t first = 0;          ///< index of the first of them in the whole mesh
+    SharpCubes sharp;
   };
+
+  /// Finds a piece's sharp cubes. Their vertices are not merged, so that the cubes' triangles stay in them.
+  void find_sharp_cubes(std::size_t index) {
+    SharpCubes& sharp = parts_[index].sharp;
+    sharp = seams_->find(index, [&](std::size_t owner, std::uint32_t v) {
+      return std::atomic_ref(parts_[owner].level[v]).load(std::memory_order_relaxed);
+    });
+    for (const Triangle& t : sharp.triangles)
+      for (const std::uint32_t corner : t) {
+        std::vector<std::uint8_t>& levels = parts_[pieces_.owner(index, corner)].level;
+        const std::uint32_t v = corner & SurfacePiece::own_part;
+        if (v < levels.size()) std::atomic_ref(levels[v]).fetch_or(not_level, std::memory_order_relaxed);
+      }
+  }
 
   /// A piece's vertices in the interior of flats, in Morton order.
   static std::vector<Spot> spots_on_flats(const SurfacePiece& piece, const std::vector<std::uint8_t>& level) {
@@ -185,7 +230,7 @@ class Merging {
     spots.reserve(level.size());
     std::uint32_t v = 0;
     piece.for_each_edge([&](const Index3& p, std::size_t axis) {
-      if (level[v] == axis) {
+      if ((level[v] & (axis_part | not_level)) == axis) {
         const Flat flat{static_cast<std::uint32_t>(axis) + 1, static_cast<std::uint32_t>(p[axis] + 1),
                         std::bit_cast<std::uint32_t>(piece.vertices[v][axis]), piece.cuts[v]};
         // vertices come row by row
@@ -218,16 +263,21 @@ class Merging {
 
   const SurfacePieces& pieces_;
   DeviationGauge* gauge_;
+  std::optional<SeamFinder> seams_;
   std::vector<Part> parts_;
+  SharpCubes sharp_;
   std::vector<ClosedMesh> chunks_;
   std::size_t vertices_ = 0;
 };
 
 }  // namespace
 
-ClosedMesh closed_mesh(const Stock& stock, DeviationGauge* gauge, Progress& progress) {
+ClosedMesh closed_mesh(const Stock& stock, StockEdges edges, DeviationGauge* gauge, Progress& progress) {
   SurfacePieces pieces(stock);
-  Merging merging(pieces, gauge);
+  std::optional<CutSurfaces> surfaces;
+  if (edges == StockEdges::sharp) surfaces.emplace(stock);
+  if (surfaces && surfaces->none()) surfaces.reset();
+  Merging merging(pieces, surfaces ? &*surfaces : nullptr, gauge);
   const std::vector<std::vector<std::size_t>> waves = pieces.waves();
   const auto each = [&](const std::vector<std::size_t>& wave, const auto& body) {
     parallel_for(wave.size(), [&](std::size_t k) {
@@ -245,7 +295,7 @@ ClosedMesh closed_mesh(const Stock& stock, DeviationGauge* gauge, Progress& prog
   begin(waves[0]);
   for (std::size_t w = 0; w < waves.size(); ++w) {
     if (w + 1 < waves.size()) begin(waves[w + 1]);
-    each(waves[w], [&](std::size_t i) { pieces.march(i, stock), merging.mark(i); });
+    each(waves[w], [&](std::size_t i) { pieces.march(i, stock, surfaces.has_value()), merging.mark(i); });
     each(waves[w], [&](std::size_t i) { merging.merge(i); });
     merging.add_vertices(waves[w]);
     if (w > 0) end(waves[w - 1]);
@@ -255,7 +305,7 @@ ClosedMesh closed_mesh(const Stock& stock, DeviationGauge* gauge, Progress& prog
 }
 
 ClosedMesh closed_mesh(const SurfacePieces& pieces) {
-  Merging merging(pieces, nullptr);
+  Merging merging(pieces, nullptr, nullptr);
   std::vector<std::size_t> all;
   for (const auto& wave : pieces.waves()) all.insert(all.end(), wave.begin(), wave.end());
   const auto each = [&](const auto& body) { parallel_for(all.size(), [&](std::size_t k) { body(all[k]); }); };
@@ -267,8 +317,8 @@ ClosedMesh closed_mesh(const SurfacePieces& pieces) {
   return merging.take();
 }
 
-TriangleMesh Stock::mesh(std::vector<std::uint32_t>* cuts, Progress& progress) const {
-  ClosedMesh closed = closed_mesh(*this, nullptr, progress);
+TriangleMesh Stock::mesh(std::vector<std::uint32_t>* cuts, Progress& progress, StockEdges edges) const {
+  ClosedMesh closed = closed_mesh(*this, edges, nullptr, progress);
   if (cuts) *cuts = std::move(closed.cuts);
   return std::move(closed.mesh);
 }

@@ -17,10 +17,10 @@ struct ClosedMesh {
 };
 
 /// Makes the mesh slice by slice, so that only a few slices are stored with all their vertices. All
-/// vertices are reported to the gauge unless it is nullptr. Throws Error(cancelled),
+/// vertices at samples are reported to the gauge unless it is nullptr. Throws Error(cancelled),
 /// Error(too_large).
-ClosedMesh closed_mesh(const Stock& stock, DeviationGauge* gauge, Progress& progress);
-/// Makes the mesh from existing pieces.
+ClosedMesh closed_mesh(const Stock& stock, StockEdges edges, DeviationGauge* gauge, Progress& progress);
+/// Makes the mesh from existing pieces, with edges as sampled.
 ClosedMesh closed_mesh(const SurfacePieces& pieces);
 
 }  // namespace fieldfab::cam

@@ -7,12 +7,16 @@
 
 namespace fieldfab::cam {
 void DeviationGauge::measure(std::size_t piece, std::span<const SurfacePiece::Place> places) {
-  std::vector<float>& at = at_[piece];
-  const std::size_t first = at.size();
-  at.resize(first + places.size());
-  surface_distances(target_, places, std::span(at).subspan(first));
+  const std::vector<float> more = distances(places);
+  at_[piece].insert(at_[piece].end(), more.begin(), more.end());
+}
+
+std::vector<float> DeviationGauge::distances(std::span<const SurfacePiece::Place> places) const {
+  std::vector<float> at(places.size());
+  surface_distances(target_, places, at);
   for (std::size_t i = 0; i < places.size(); ++i)
-    if (places[i][2] < floor_) at[first + i] = 0;
+    if (places[i][2] < floor_) at[i] = 0;
+  return at;
 }
 
 void DeviationGauge::look(std::size_t index, const SurfacePieces& pieces) {

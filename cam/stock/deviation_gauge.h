@@ -37,6 +37,8 @@ class DeviationGauge {
   /// Accounts for a piece's vertices and triangles. Requires that they, and the vertices of the
   /// pieces after it, are measured.
   void look(std::size_t piece, const SurfacePieces& pieces);
+  /// Signed distances of points that belong to no piece, mm; they count for no sum and no gouge.
+  [[nodiscard]] std::vector<float> distances(std::span<const SurfacePiece::Place> places) const;
   void forget(std::size_t piece) { at_[piece] = {}; }
   /// Whether one deviation may represent a range of deviations: the range is at most `fine`, or
   /// small relative to the excess.

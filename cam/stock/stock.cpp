@@ -8,6 +8,7 @@
 #include "field_brick.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
+#include "stroke_log.h"
 #include "sweep.h"
 
 namespace fieldfab::cam {
@@ -21,7 +22,7 @@ Stock::Stock(const Box& box, const StockSettings& settings)
 }
 
 Stock::Stock(const Field& field, const Box& box, const StockSettings& settings, Progress& progress)
-    : settings_(settings), lattice_(box, settings.cell, settings.cell_height) {
+    : settings_(settings), lattice_(box, settings.cell, settings.cell_height), first_(field.shared_from_this()) {
   divide_into_bricks();
   parallel_for(bricks_.size(), [&](std::size_t i) {
     progress.check();
@@ -145,6 +146,12 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
       }
     for (const std::size_t brick : touched) near[brick].clear();
     progress.check();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (meets[i].empty() || !strokes[begin + i].removes) continue;
+      if (!strokes_ || strokes_->full() || strokes_.use_count() > 1)
+        strokes_ = std::make_shared<StrokeLog>(std::move(strokes_));
+      strokes_->add(strokes[begin + i], lattice_.box().lower);
+    }
   }
   parallel_for(bricks_.size(), [&](std::size_t i) {
     if (changed[i]) bricks_[i]->settle(lattice_);
@@ -165,6 +172,7 @@ double Stock::volume() const {
 }
 
 void Stock::forget_cuts() {
+  strokes_.reset(), first_.reset();
   parallel_for(bricks_.size(), [&](std::size_t i) {
     if (bricks_[i]->uniform()) return;
     bricks_[i] = std::make_shared<Brick>(*bricks_[i]);
@@ -175,6 +183,7 @@ void Stock::forget_cuts() {
 StockStatistics Stock::statistics() const {
   StockStatistics statistics;
   statistics.bytes = bricks_.capacity() * sizeof(bricks_[0]);
+  if (strokes_) statistics.bytes += strokes_->bytes();
   for (const auto& brick : bricks_) brick->count(statistics);
   return statistics;
 }

@@ -210,10 +210,10 @@ void SurfacePieces::place_vertices(std::size_t index, const Stock& stock) {
   });
 }
 
-void SurfacePieces::march(std::size_t index, const Stock& stock) {
+void SurfacePieces::march(std::size_t index, const Stock& stock, bool with_cubes) {
   SurfacePiece& piece = pieces_[index];
   piece.brick = stock.bricks_[index];
-  piece.corners.clear(), piece.middles.clear(), piece.middle_cuts.clear();
+  piece.corners.clear(), piece.cubes.clear(), piece.middles.clear(), piece.middle_cuts.clear();
   if (piece.words == 0) return;
   if (!piece.shape) piece.shape.emplace(around(stock.bricks_[index]->region(), stock));
   const Occupancy& shape = *piece.shape;
@@ -237,6 +237,11 @@ void SurfacePieces::march(std::size_t index, const Stock& stock) {
           p[0] = r.lower[0] + static_cast<int>(w) * 64 + bit;
           std::size_t which = 0;
           for (std::size_t c = 0; c < 8; ++c) which |= (solid[c] >> bit & 1) << c;
+          if (with_cubes) {
+            std::array<std::int16_t, 3> from_lower;
+            for (std::size_t a = 0; a < 3; ++a) from_lower[a] = static_cast<std::int16_t>(p[a] - r.lower[a]);
+            piece.cubes.push_back({from_lower, static_cast<std::uint32_t>(piece.corners.size())});
+          }
           add_polygons(index, p, cases[which]);
         }
       }

@@ -37,6 +37,12 @@ struct SurfacePiece {
   std::vector<std::uint32_t> cuts, middle_cuts;
   std::vector<std::array<std::uint32_t, 3>> corners;  ///< of triangles: index of a vertex, and
                                                       ///< above `own_bits` its owner as in `beside`
+  /// A cube with triangles: its lower corner, and the number of triangles of cubes before it.
+  struct Cube {
+    std::array<std::int16_t, 3> from_lower;  ///< from the region's lower corner
+    std::uint32_t first;
+  };
+  std::vector<Cube> cubes;  ///< only if asked for
   static constexpr unsigned own_bits = 29;
   static constexpr std::uint32_t own_part = (1u << own_bits) - 1;
 
@@ -107,8 +113,8 @@ class SurfacePieces {
   /// Adds the crossings of the edges that start at solid points of a brick.
   void add_crossings(std::size_t index, const Stock& stock, std::vector<StockCrossing>& list) const;
   void make_vertices(std::size_t index, const Stock& stock);
-  /// Makes a piece's triangles.
-  void march(std::size_t index, const Stock& stock);
+  /// Makes a piece's triangles, and the list of their cubes if wanted.
+  void march(std::size_t index, const Stock& stock, bool with_cubes = false);
 
  private:
   void find_edges(std::size_t index, const Stock& stock);

@@ -45,9 +45,16 @@ def bms_of(mesh):
 
 def from_bms(data):
     """Returns the fieldfab.Mesh in the bytes of a .bms file."""
+    vertices, triangles, _ = arrays_of(data)
+    return kernel.load().Mesh(vertices, triangles)
+
+
+def arrays_of(data):
+    """Returns vertices (n, 3), triangles (m, 3) and neighbours (m, 3) in the bytes of a .bms file: row t names the
+    triangles beyond the sides from the first corner of triangle t to its second, to its third, and to its first."""
     import numpy as np  # imported late: the workbench must load quickly
 
     points, facets = (int(n) for n in np.frombuffer(data, "<u4", 2, _HEAD - 8))
     vertices = np.frombuffer(data, "<f4", 3 * points, _HEAD).reshape(-1, 3)
     rows = np.frombuffer(data, "<u4", 6 * facets, _HEAD + 12 * points).reshape(-1, 6)
-    return kernel.load().Mesh(vertices, rows[:, :3])
+    return vertices, rows[:, :3], rows[:, 3:]

@@ -40,6 +40,22 @@ import fieldfab as ff
 part = ff.shapes.difference(ff.shapes.box(20, 20, 10), ff.shapes.cylinder(4, 12))
 print(ff.mesh(part, voxel=0.2).triangles.shape, ff.check(part).passed)'
 
+step "fabserver, with what python3-fieldfab recommends for it"
+apt-get install -q -y --no-install-recommends python3-aiohttp >/dev/null
+fieldfab serve --no-browser --port 8765 >/shots/serve.txt 2>&1 &
+server=$!
+python3 -c '
+import time, urllib.request
+for _ in range(60):
+    try:
+        assert b"<title>" in urllib.request.urlopen("http://127.0.0.1:8765/").read()
+        break
+    except OSError:
+        time.sleep(1)
+else:
+    raise SystemExit("no page")'
+kill $server
+
 step "FreeCAD without a window"
 freecadcmd /newcomer/freecad_solid.py </dev/null 2>&1 | tee /shots/freecad.txt | grep 'solid:'
 

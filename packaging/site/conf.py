@@ -42,7 +42,7 @@ def escaped(lines):
 
 
 def setup(app):
-    for language in ("frep", "ko", "openscad", "set", "tool"):
+    for language in ("frep", "haproxy", "ko", "openscad", "set", "tool"):
         app.add_lexer(language, TextLexer)
     app.connect("autodoc-process-docstring",
                 lambda app, what, name, obj, options, lines: lines.__setitem__(slice(None), escaped(lines)))

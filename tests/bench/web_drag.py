@@ -88,9 +88,9 @@ async def client(server, seconds, number, waits):
 
 
 def memory(server):
-    """Returns the memory of the server and its workers, kB."""
+    """Returns the memory of the server and its workers without mapped files, kB."""
     return sum(int(line.split()[1]) for process in (server.process.pid, *server.workers())
-               for line in open(f"/proc/{process}/status") if line.startswith("VmRSS"))
+               for line in open(f"/proc/{process}/status") if line.startswith("RssAnon"))
 
 
 async def crowd(server, seconds):

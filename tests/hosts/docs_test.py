@@ -45,6 +45,9 @@ NOT_RUN = {
     "cmake -S . -B build": "hosts/sdk_test.py builds docs/install.md's project against a folder of its own",
     "cmake --build build": "hosts/sdk_test.py builds docs/install.md's project against a folder of its own",
     "cmake --install build/release --prefix FOLDER": "hosts/sdk_test.py does it",
+    "/usr/bin/python3 -m venv --system-site-packages env": "hosts/sdk_test.py does it in a copy of the source tree",
+    "env/bin/pip install --no-build-isolation .": "hosts/sdk_test.py does it in a copy of the source tree",
+    "env/bin/fieldfab mesh examples/bracket.frep -o bracket.stl": "hosts/sdk_test.py does it there",
     "./dev bench": "takes more than ten minutes",
     "./dev docs": "takes minutes, and writes the documents that are tested; hosts/site_test.py makes the site",
     "./dev lint": "takes minutes; text_test.py runs its checks of the text",
@@ -58,6 +61,7 @@ NOT_RUN = {
     "./dev install-meshlab": "writes into the system, as root",
     "build/release/bin/simulation_figures": "takes minutes",
     "build/release/bin/volume_figures FOLDER large": "takes minutes and gigabytes",
+    "haproxy -f fabserver.cfg": "runs until it is stopped; hosts/web_balancer_test.py does it",
     "ffmpeg -i FOLDER/frame_%04d.png film.mp4": "ffmpeg is none of Fieldfab's packages",
 }
 
@@ -329,6 +333,7 @@ LANGUAGES = {"sh", "frep", "toml", "openscad", "xml", "ko"}
 # Blocks of other languages, with the test that runs them.
 ELSEWHERE = {
     ("docs/web.md", "javascript"): "hosts/web_page_test.py adds a node with this code",
+    ("docs/web.md", "haproxy"): "hosts/web_balancer_test.py drives haproxy with it",
     ("docs/install.md", "cmake"): "hosts/sdk_test.py builds with it",
     ("docs/install.md", "cpp"): "hosts/sdk_test.py builds and runs it",
     ("docs/tutorial.md", "set"): "freecad/window_tutorial.py types it",
@@ -419,7 +424,9 @@ SCRIPTS = {
     "examples/simulation/slotted_ball.py": "hosts/simulate_test.py runs the script, and simulates its program",
     "tests/bench/adaptive_figures.py": "a benchmark, which takes minutes",
     "tests/bench/certainty_figures.py": "a benchmark, which takes minutes",
+    "tests/bench/web_balancer.py": "a benchmark, which takes minutes",
     "tests/bench/web_drag.py": "a benchmark, which takes minutes",
+    "tests/bench/web_page.py": "a benchmark of the page in a browser",
     "tests/hosts/openscad_designs.py": "the table of docs/openscad.md, which takes an hour",
     "tests/hosts/web_hostile.py": "hosts/web_test.py runs it for a shorter time",
 }

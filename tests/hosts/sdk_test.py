@@ -1,8 +1,11 @@
 """The libraries after installation: the installed tree is moved, and examples/cpp are built against it."""
 
 import os
+import re
 import shutil
 import subprocess
+import urllib.parse
+import urllib.request
 
 import pytest
 
@@ -81,6 +84,13 @@ def test_what_programs_link_to_are_the_libraries_alone(examples):
             for name in needed if any(heavy in name for heavy in ("ITK", "openvdb", "OpenMesh", "asmjit", "tbb"))] == []
 
 
+def test_the_libraries_show_their_own_names_alone(installed):
+    for library in ("libfieldfab.so", "libfieldfab_cam.so", "libfieldfab_openscad.so"):
+        lines = run("nm", "-D", "--defined-only", installed / "lib" / library).splitlines()
+        shown = [line.split()[-1] for line in lines]
+        assert len(shown) > 100 and [name for name in shown if "fieldfab" not in name] == []
+
+
 def test_a_command_that_needs_neither_loads_neither_itk_nor_openvdb(installed):
     loaded = run("ldd", installed / "bin" / "fieldfab")
     assert "libfieldfab.so.0" in loaded and "ITK" not in loaded and "openvdb" not in loaded
@@ -127,6 +137,50 @@ def test_the_command_runs_scripts_with_the_module_that_is_installed_with_it(inst
     (tmp_path / "ball.py").write_text("import fieldfab as ff\nassert ff.__file__.startswith({!r})\n"
                                       "shape = ff.shapes.sphere(5)\n".format(str(installed)))
     run(installed / "bin" / "fieldfab", "info", tmp_path / "ball.py", env=without_this_build())
+
+
+def test_a_browser_gets_the_page_of_the_installed_server(installed, tmp_path):
+    assert_serves(installed / "bin" / "fieldfab", tmp_path)
+
+
+def assert_serves(command, folder):
+    server = subprocess.Popen([command, "serve", "--no-browser", "--port", "0", folder], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, env=without_this_build())
+    try:
+        said = server.stdout.readline()
+        address = re.search(r"http://\S+", said)
+        assert address, said
+        page = urllib.request.urlopen(address[0]).read().decode()
+        script = re.search(r'<script [^>]*src="([^"]+)"', page)[1]
+        assert urllib.request.urlopen(urllib.parse.urljoin(address[0], script)).status == 200
+    finally:
+        server.terminate()
+        server.wait(30)
+
+
+def test_pip_installs_the_source_tree(tmp_path):
+    """The commands of docs/install.md, in a copy of the files that git knows."""
+    source = tmp_path / "source"
+    names = [name for name in run("git", "-C", ROOT, "ls-files", "-z", "--cached", "--others",
+                                  "--exclude-standard").split("\0") if name and (ROOT / name).exists()]
+    for name in names:
+        (source / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, source / name)
+    commands = next(block.text for document in DOCUMENTS if document.name == "docs/install.md"
+                    for block in document.blocks if "pip install" in block.text)
+    for command in commands.splitlines():
+        run(*command.split(), cwd=source, env=without_this_build())
+    assert (source / "bracket.stl").stat().st_size > 1000
+    written = {path.name for path in source.iterdir()} - {name.split("/")[0] for name in names}
+    assert written == {"build", "env", "bracket.stl"}
+    program = source / "env" / "bin" / "fieldfab"
+    (tmp_path / "ball.py").write_text("import fieldfab as ff\nassert ff.__file__.startswith({!r}), ff.__file__\n"
+                                      "shape = ff.shapes.sphere(5)\n".format(str(source / "env")))
+    run(program, "info", tmp_path / "ball.py", env=without_this_build())
+    run(program, "check", ROOT / "examples" / "pawn.frep", env=without_this_build())  # by the part with OpenVDB
+    assert run(source / "env" / "bin" / "python", "-m", "fieldfab", "--version",
+               env=without_this_build()) == run(program, "--version", env=without_this_build())
+    assert_serves(program, tmp_path)
 
 
 def test_the_workbench_and_the_plugins_are_where_their_hosts_look(installed):

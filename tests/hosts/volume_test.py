@@ -110,7 +110,8 @@ def tiff(rows, palette=False):
     return struct.pack("<2sHI", b"II", 42, 8 + len(data) + len(colours)) + data + colours + table
 
 
-def dicom(number, series="1.2.3", rows=None, slope=1, intercept=0, z=None, directions="1\\0\\0\\0\\1\\0"):
+def dicom(number, series="1.2.3", rows=None, slope=1, intercept=0, z=None, directions="1\\0\\0\\0\\1\\0",
+          spacing=SPACING):
     """Returns a CT slice as DICOM, explicit little-endian."""
     rows = BALL[number] if rows is None else rows
 
@@ -129,11 +130,11 @@ def dicom(number, series="1.2.3", rows=None, slope=1, intercept=0, z=None, direc
     body = element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(8, 0x18, "UI", f"{series}.{number + 1}")
     body += element(8, 0x60, "CS", "CT") + element(0x20, 0xD, "UI", "1.2") + element(0x20, 0xE, "UI", series)
     body += element(0x20, 0x13, "IS", str(number + 1))
-    body += (element(0x20, 0x32, "DS", f"1\\2\\{3 + number * SPACING[2] if z is None else z}")
+    body += (element(0x20, 0x32, "DS", f"1\\2\\{3 + number * spacing[2] if z is None else z}")
              + element(0x20, 0x37, "DS", directions))
     body += element(0x28, 2, "US", short(1)) + element(0x28, 4, "CS", "MONOCHROME2")
     body += element(0x28, 0x10, "US", short(rows.shape[0])) + element(0x28, 0x11, "US", short(rows.shape[1]))
-    body += element(0x28, 0x30, "DS", f"{SPACING[1]}\\{SPACING[0]}")
+    body += element(0x28, 0x30, "DS", f"{spacing[1]}\\{spacing[0]}")
     body += (element(0x28, 0x100, "US", short(16)) + element(0x28, 0x101, "US", short(16))
              + element(0x28, 0x102, "US", short(15)))
     body += (element(0x28, 0x103, "US", short(0)) + element(0x28, 0x1052, "DS", str(intercept))

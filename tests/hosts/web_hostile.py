@@ -3,8 +3,8 @@ read no answers.
 
     PYTHONPATH=build/release/python /usr/bin/python3 tests/hosts/web_hostile.py [SECONDS]
 
-A regular client requests pictures at the same time. Prints its waiting times and the memory of the server and its
-workers."""
+A regular client requests pictures at the same time. Prints percentiles of its waiting times, and the memory of the
+server and its workers."""
 
 import asyncio
 import contextlib
@@ -102,52 +102,62 @@ async def again_and_again(hostile, port, end):
         await asyncio.sleep(0.05)
 
 
-async def polite(server, end, waited):
-    """Requests a picture of its own text every 0.2 s."""
+async def polite(server, end, waited, refusals):
+    """Requests a picture of its own text every 0.2 s; again after a refusal, as the page does."""
     while time.monotonic() < end:
-        started = time.monotonic()
         async with Socket(server) as socket:
-            for number in range(25):
-                started = time.monotonic()
+            started, number = time.monotonic(), 0
+            while number < 25 and time.monotonic() < end:
                 await socket.send({"number": number, **PAGE, "text": f"{PAGE['text']} # {random.random()}",
                                    "coarse": True})
                 # Awaited within the iteration, so that `number` is unchanged.
-                await socket.until(lambda told: told["type"] == "picture" and told["number"] == number)  # noqa: B023
+                answers = await socket.until(
+                    lambda told: told["type"] != "parameters" and told["number"] == number)  # noqa: B023
+                number += 1
+                if answers[-1][0]["type"] == "error":
+                    refusals.append(answers[-1][0]["message"])
+                    await asyncio.sleep(1)
+                    continue
                 waited.append(time.monotonic() - started)
-                if time.monotonic() > end:
-                    return
                 await asyncio.sleep(0.2)
+                started = time.monotonic()
 
 
 def resident(server):
-    """Returns the memory of the server and the total of its workers, MB."""
+    """Returns the memory without mapped files, MB: of the server, and of each of its workers, the largest first. Two of
+    these or more are the pool's; the others have a job each."""
     def of(number):
         with contextlib.suppress(OSError):
-            return int(next(line for line in open(f"/proc/{number}/status") if line.startswith("VmRSS"))
+            return int(next(line for line in open(f"/proc/{number}/status") if line.startswith("RssAnon"))
                        .split()[1]) / 1024
         return 0
 
-    return of(server.process.pid), sum(map(of, children(server.process.pid)))
+    return of(server.process.pid), sorted(map(of, children(server.process.pid)), reverse=True)
 
 
 async def siege(server, seconds, crowd=4):
-    """Returns (waiting times of the regular client in s, [(seconds since the start, MB of the server, MB of the
-    workers)], the server's output). Ends the server."""
+    """Returns (waiting times of the regular client in s, its refusals, [(seconds since the start, MB of the server, MB
+    of each worker)], the server's output). Ends the server."""
     start = time.monotonic()
-    end, waited, memory = start + seconds, [], []
+    end, waited, refusals, memory = start + seconds, [], [], [(0, *resident(server))]
     hostile = [asyncio.create_task(again_and_again(each, server.port, end))
                for each in (vanishes, sends_garbage, floods, holds, starts_jobs) for _ in range(crowd)]
     said = asyncio.create_task(asyncio.to_thread(server.process.stdout.read))
-    well = asyncio.create_task(polite(server, end, waited))
+    well = asyncio.create_task(polite(server, end, waited, refusals))
     while time.monotonic() < end:
         await asyncio.sleep(min(2, max(0.1, end - time.monotonic())))
         memory.append((time.monotonic() - start, *resident(server)))
         if well.done():
             break
-    await well
-    await asyncio.gather(*hostile)
+    try:
+        await well
+        await asyncio.gather(*hostile)
+    except BaseException:
+        server.process.terminate()
+        print(await said)
+        raise
     server.process.terminate()
-    return waited, memory, await said
+    return waited, refusals, memory, await said
 
 
 def main():
@@ -155,15 +165,18 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         server = Server(folder)
         try:
-            waited, memory, said = asyncio.run(siege(server, seconds))
+            waited, refusals, memory, said = asyncio.run(siege(server, seconds))
             left = os.listdir(folder)
         finally:
             server.kill()
     waited.sort()
-    print(f"{len(waited)} pictures; waited {waited[len(waited) // 2]:.2f} s in the median, {waited[-1]:.2f} s at most; "
-          f"left in the folder: {left}; it said {said or 'nothing'}")
-    for i in range(0, len(memory), max(1, len(memory) // 10)):
-        print("{:6.0f} s: server {:6.0f} MB, workers {:6.0f} MB".format(*memory[i]))
+    shares = {name: waited[min(len(waited) - 1, int(share * len(waited)))]
+              for name, share in (("median", 0.5), ("90 %", 0.9), ("99 %", 0.99), ("at most", 1))}
+    print(f"{len(waited)} pictures; waits: {', '.join(f'{name} {wait:.2f} s' for name, wait in shares.items())}; "
+          f"refusals: {len(refusals)} {set(refusals) or ''}; left in the folder: {left}; it said {said or 'nothing'}")
+    for i in [*range(0, len(memory) - 1, max(1, len(memory) // 20)), len(memory) - 1]:
+        at, of_server, of_workers = memory[i]
+        print(f"{at:6.0f} s: server {of_server:4.0f} MB, workers {' '.join(f'{each:.0f}' for each in of_workers)} MB")
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ import contextlib
 import json
 import math
 import os
+import re
 import socket
 import time
 
@@ -16,6 +17,7 @@ from rs274 import moves
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from volume_test import dicom
 from web_server import Server, chromium
 
 import fieldfab as ff
@@ -203,6 +205,138 @@ def test_turning_and_zooming(page, folder):
     page.find("#mode option[value=bitmap]").click()
     page.settled()
     assert abs(page.coloured() - (240 - math.pi * 4)) < 4
+    bar = "const e = document.querySelector('#section-at'); e.value = arguments[0]; e.dispatchEvent(new Event('input'))"
+    page.script(bar, 1000)  # above the box
+    page.until(lambda: page.coloured() == 0, "an empty slice")
+    page.script(bar, 700)
+    page.until(lambda: page.coloured() > 200, "a slice near the top")
+
+
+def test_a_point_of_the_model_is_dragged(page, folder):
+    """Parameters NAME_x and NAME_y make a handle: in a flat model, in the plane of a solid, by keys; undone."""
+    file = folder / "hole.frep"
+    text = ("hole_x = 0  # -15 to 15, the hole\nhole_y = 0  # -8 to 8\n"
+            "rectangle(40, 20) - move(circle(3), hole_x, hole_y)\n")
+    file.write_text(text)
+    page.open("hole.frep")
+    page.settled()
+    assert abs(page.coloured() - (800 - math.pi * 9)) < 9
+    scale = float(page.find("#picture").get_attribute("data-scale"))
+
+    def values():
+        return [float(each) for each in re.findall(r"= (-?[\d.]+)", file.read_text())]
+
+    def drag(dx, dy):
+        ActionChains(page.browser).click_and_hold(page.find(".handle")).move_by_offset(dx // 2, dy // 2).move_by_offset(
+            dx - dx // 2, dy - dy // 2).release().perform()
+
+    drag(round(10 / scale), round(-5 / scale))
+    page.until(lambda: np.allclose(values(), (10, 5), atol=scale), "the hole's place")
+    page.settled()
+    assert abs(page.coloured() - (800 - math.pi * 9)) < 9
+    page.shot("web_handle")
+    drag(round(8 / scale), 0)
+    page.until(lambda: values()[0] == 15, "the end of its range")
+    page.find(".handle").send_keys(Keys.ARROW_DOWN)
+    page.until(lambda: values()[1] < 5 - scale, "a move by a key")
+    for _ in range(12):  # moves within half a second are one step
+        page.find("#undo").click()
+    page.until(lambda: file.read_text() == text, "all undone")
+
+    page.type("#editor", Keys.CONTROL + "a", "pin_x = 4  # -9 to 9\npin_y = 2  # -9 to 9\npin_z = 3  # 0 to 9\n"
+              "box(20, 20, 1) | move(sphere(2), pin_x, pin_y, pin_z)")
+    page.until(lambda: page.find(".handle").get_attribute("title") == "pin: drag it", "the pin's handle")
+    page.find("#picture").send_keys("3")  # from the front: x to the right, z up
+    page.settled()
+    scale = float(page.find("#picture").get_attribute("data-scale"))
+    drag(round(-6 / scale), round(-4 / scale))
+    page.until(lambda: np.allclose(values(), (-2, 2, 7), atol=1.1 * scale), "x and z, not y")
+    page.find("#perspective").click()
+    page.until(lambda: not page.find(".handle").is_displayed(), "no handle in a perspective view")
+
+
+def test_measuring_sections_parts_and_files(page, folder, tmp_path):
+    """Two clicks measure; a section plane shows the inside; a click names a part, in its colour; a file is written."""
+    (folder / "parts.frep").write_text('part(move(box(20, 20, 20), -12), "left", "red")\n'
+                                       'part(move(box(20, 20, 20), 12), "right", "blue")\n')
+    page.open("parts.frep")
+    page.settled()
+    host = page.find("#picture")
+    host.send_keys("2")
+    page.settled()
+    scale = float(host.get_attribute("data-scale"))
+
+    def click(x, y):
+        to = round(x / scale), round(-y / scale)
+        ActionChains(page.browser).move_to_element_with_offset(host, *to).click().perform()
+
+    click(-10, 5)
+    page.until(lambda: page.text("#picture .told").startswith("left: -1"), "the left part")
+    click(10, 5)
+    page.until(lambda: page.text("#picture .told").startswith("right: "), "the right part")
+    colour = page.script("const c = document.querySelector('#picture canvas'); "
+                         "return [...c.getContext('2d').getImageData(c.width / 2 - 30, c.height / 2, 1, 1).data]")
+    assert colour[0] > 1.5 * colour[2], "red"
+    host.send_keys("m")
+    click(-10, -5)
+    page.until(lambda: page.text("#picture .told"), "the first point")
+    click(10, 5)
+    page.until(lambda: " mm (" in page.text("#picture .told"), "a distance")
+    distance = float(page.text("#picture .told").split()[0])
+    assert abs(distance - math.hypot(20, 10)) < 3 * scale
+    page.shot("web_measure")
+    host.send_keys("m")
+    before = page.picture()
+    page.find("#section option[value=z]").click()
+    page.until(lambda: page.find("#section-at").is_displayed(), "the plane's slider")
+    page.settled()
+    assert page.picture() != before
+    page.find("#section-at").send_keys(Keys.ARROW_LEFT)
+    page.settled()
+
+    page.browser.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(tmp_path)})
+    page.find("#download option[value='.stl']").click()
+    page.until(lambda: (tmp_path / "parts.stl").exists(), "the file, with the document's name")
+    page.until(lambda: abs(ff.Mesh.load(tmp_path / "parts.stl").volume - 16_000) < 20, "its volume")
+
+
+def test_phones(page, folder):
+    """A narrow page stacks its panes; nothing is wider than the screen; a finger turns the model, two zoom."""
+    (folder / "phone.frep").write_text("box(20, 12, 6) - move(cylinder(2, 20), 5)\n")
+    screen = {"width": 390, "height": 800, "deviceScaleFactor": 2, "mobile": True}
+    page.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    page.browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+    try:
+        page.open("phone.frep")
+        page.settled()
+        assert page.script("return document.documentElement.scrollWidth") <= 390
+        picture, text = page.find("#picture").rect, page.find("#editor").rect
+        assert picture["height"] > 200 and picture["width"] >= 380 and text["height"] > 80
+        assert picture["y"] < text["y"], "the picture is above"
+        before = page.picture()
+
+        def touch(kind, *points):
+            page.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {
+                "type": kind, "touchPoints": [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]})
+
+        x, y = picture["x"] + picture["width"] / 2, picture["y"] + picture["height"] / 2
+        touch("touchStart", (x, y))
+        for step in range(1, 6):
+            touch("touchMove", (x + 12 * step, y))
+        touch("touchEnd")
+        page.settled()
+        assert page.picture() != before, "turned"
+        scale = float(page.find("#picture").get_attribute("data-scale"))
+        touch("touchStart", (x - 20, y), (x + 20, y))
+        for step in range(1, 6):
+            touch("touchMove", (x - 20 - 10 * step, y), (x + 20 + 10 * step, y))
+        touch("touchEnd")
+        page.settled()
+        assert float(page.find("#picture").get_attribute("data-scale")) < 0.6 * scale, "zoomed"
+        page.shot("web_phone")
+    finally:
+        page.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        page.browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
 
 
 def test_a_sheet_from_nothing(page, folder):
@@ -292,6 +426,239 @@ def test_a_browser_that_is_closed_while_the_server_is_away_loses_nothing(page, f
     page.until(lambda: (folder / "kept.frep").read_text() == "circle(7)", "what was typed, in the file")
 
 
+POINT = "return { x, y };"
+PLATE = "return `extrude(${parents.map((each) => each.shape).join(' | ')}, ${mm(value('thickness', 5, 1, 9))})`;"
+FRAMED = (("Centre", -40, 0, POINT, []), ("Circle", 0, 10, CIRCLE, [1]), ("Edge", 0, -20, CIRCLE, [1]),
+          ("Plate", 40, 0, PLATE, [2, 3]))
+
+
+def nodes_of(file):
+    return {node["name"]: node for node in json.loads(file.read_text())["nodes"]}
+
+
+def test_groups_of_nodes(page, folder):
+    """Chosen by Shift clicks, grouped by keys, moved as one, expanded, collapsed, renamed, ungrouped; each undone."""
+    file = folder / "groups.json"
+    file.write_text(sheet(*FRAMED))
+    page.open("groups.json")
+    page.settled()
+    before = page.picture()
+    page.choose("Circle")
+    edge = page.node("Edge").find_element(By.CSS_SELECTOR, ".dot")
+    ActionChains(page.browser).key_down(Keys.SHIFT).click(edge).key_up(Keys.SHIFT).perform()
+    page.find("#sheet").send_keys(Keys.CONTROL + "g")
+    page.until(lambda: [each["name"] for each in json.loads(file.read_text())["groups"]] == ["Group 1"], "the group")
+    group = page.node("Group 1")
+    titles = [each.get_attribute("title") for each in group.find_elements(By.CSS_SELECTOR, ".port")]
+    assert titles == ["Input of Circle", "Input of Edge", "Output of Circle: drag it to a node",
+                      "Output of Edge: drag it to a node"]
+    shown = [each.get_attribute("title") for each in page.browser.find_elements(By.CSS_SELECTOR, ".node")]
+    assert shown == ["Centre", "Plate", "Group 1"]
+    assert len(page.browser.find_elements(By.CSS_SELECTOR, ".links .link")) == 4
+    page.settled()
+    assert page.picture() == before, "a group changes no model"
+    page.shot("web_group")
+    assert "Inputs: Circle, Edge. Outputs: Circle, Edge. 2 nodes." in page.text("#inspector")
+
+    scale = float(page.find("#sheet").get_attribute("data-scale"))
+    page.drag("Group 1", 0, round(-10 / scale))
+    page.until(lambda: [nodes_of(file)[each]["y"] for each in ("Centre", "Circle", "Edge", "Plate")] == [0, 20, -10, 0],
+               "the places of its members")
+    page.find("#undo").click()
+    page.until(lambda: [nodes_of(file)[each]["y"] for each in ("Circle", "Edge")] == [10, -20], "the move undone")
+    page.choose("Group 1")
+    page.find("#sheet").send_keys(Keys.ARROW_UP)
+    page.until(lambda: [nodes_of(file)[each]["y"] for each in ("Circle", "Edge")] == [11, -19], "the move by a key")
+
+    page.find("#sheet").send_keys("e")
+    page.until(lambda: page.node("Circle") and page.find(".frame-title").text == "Group 1", "the group, expanded")
+    assert len(page.browser.find_elements(By.CSS_SELECTOR, ".node")) == 4
+    page.shot("web_group_open")
+    page.find("#inspector input.title").send_keys(Keys.CONTROL + "a")
+    page.find("#inspector input.title").send_keys("Rings", Keys.ENTER)
+    page.until(lambda: page.find(".frame-title").text == "Rings", "the new name")
+    ActionChains(page.browser).double_click(page.find(".frame-title")).perform()
+    page.until(lambda: page.node("Rings"), "the group, collapsed")
+    page.browser.refresh()
+    page.until(lambda: page.node("Rings"), "the group, after a reload")
+    page.settled()
+
+    page.choose("Rings")
+    page.find("#sheet").send_keys(Keys.CONTROL + Keys.SHIFT + "g")
+    page.until(lambda: json.loads(file.read_text())["groups"] == [], "no group")
+    assert "group" not in nodes_of(file)["Circle"]
+    page.find("#undo").click()
+    page.until(lambda: page.node("Rings"), "the group, after undo")
+    page.find("#redo").click()
+    page.until(lambda: page.node("Circle"), "the nodes, after redo")
+
+
+def test_groups_by_menu_rectangle_and_copies(page, folder):
+    """A rectangle chooses nodes. A copy of a group is one group with its members and links. Groups are within groups;
+    an output is dragged to an input."""
+    file = folder / "copies.json"
+    file.write_text(sheet(*FRAMED))
+    page.open("copies.json")
+    page.settled()
+    scale, host = float(page.find("#sheet").get_attribute("data-scale")), page.find("#sheet")
+    centre = page.node("Circle").find_element(By.CSS_SELECTOR, ".dot")
+    actions = ActionChains(page.browser).key_down(Keys.SHIFT).move_to_element_with_offset(centre, -50, -40)
+    actions.click_and_hold().move_by_offset(60, 40).move_by_offset(40, round(30 / scale) + 30).release()
+    actions.key_up(Keys.SHIFT).perform()
+    page.until(lambda: "2 nodes" in page.text("#inspector"), "two chosen nodes")
+    page.find("#groups option[value=group]").click()
+    page.until(lambda: page.node("Group 1"), "the group")
+    host.send_keys(Keys.CONTROL + "c")
+    host.send_keys(Keys.CONTROL + "v")
+    page.until(lambda: len(json.loads(file.read_text())["groups"]) == 2, "the copy")
+    made = json.loads(file.read_text())
+    first, second = made["groups"]
+    assert [node["name"] for node in made["nodes"]] == ["Centre", "Circle", "Edge", "Plate", "Circle", "Edge"]
+    groups = [node.get("group") for node in made["nodes"][1:3] + made["nodes"][4:]]
+    assert groups == [first["id"]] * 2 + [second["id"]] * 2
+    assert made["nodes"][4]["parents"] == [1], "its link from outside is copied"
+
+    # From the copy's first output to the plate.
+    away = next(each for each in page.browser.find_elements(By.CSS_SELECTOR, ".node")
+                if each.get_attribute("data-id") == str(second["id"]))
+    port = away.find_element(By.CSS_SELECTOR, ".port.out")
+    target = page.node("Plate").find_element(By.CSS_SELECTOR, ".dot")
+    ActionChains(page.browser).click_and_hold(port).move_to_element(target).release().perform()
+    page.until(lambda: made["nodes"][4]["id"] in nodes_of(file)["Plate"]["parents"], "the link from a group")
+
+    host.send_keys(Keys.CONTROL + "a")
+    host.send_keys(Keys.CONTROL + "g")
+    page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, ".node")) == 1, "a group of groups")
+    page.find("#groups option[value=toggle]").click()
+    page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, ".node")) == 4, "the outer group, expanded")
+    assert len(json.loads(file.read_text())["groups"]) == 3
+    page.find("#fit-sheet").click()
+    page.shot("web_groups_in_groups")
+    host.send_keys(Keys.DELETE)
+    page.until(lambda: json.loads(file.read_text())["nodes"] == [] == json.loads(file.read_text())["groups"],
+               "all removed")
+    page.find("#undo").click()
+    page.until(lambda: len(nodes_of(file)) == 4 and len(json.loads(file.read_text())["groups"]) == 3, "all back")
+
+
+def test_a_sheet_by_keys(page, folder):
+    """Nodes are chosen, linked, cut and grouped without a mouse."""
+    file = folder / "keys.json"
+    file.write_text(sheet(("Centre", 0, 0, POINT, []), ("Circle", 16, 12, CIRCLE, []), ("Other", 5, 0, POINT, [])))
+    page.open("keys.json")
+    page.until(lambda: "Circle: " in page.text("#sheet-message"), "the circle that lacks a centre")
+    host = page.find("#sheet")
+    host.send_keys(Keys.TAB)
+    page.until(lambda: page.node("Centre").get_attribute("class").split()[-1] == "chosen", "the first node")
+    host.send_keys("l")
+    page.until(lambda: "is to take “Centre”" in page.text("#sheet-message"), "what to do next")
+    host.send_keys(Keys.TAB, "l")
+    page.until(lambda: nodes_of(file)["Circle"]["parents"] == [1], "the link")
+    page.settled()
+    assert abs(page.coloured() / (math.pi * 400) - 1) < 0.01
+    host.send_keys(Keys.ESCAPE)
+    host.send_keys(Keys.TAB, "l", Keys.TAB, "l")
+    page.until(lambda: nodes_of(file)["Circle"]["parents"] == [], "the link, cut")
+    host.send_keys(Keys.ESCAPE)
+    host.send_keys(Keys.TAB, " ", Keys.TAB)
+    page.until(lambda: "2 nodes" in page.text("#inspector"), "two chosen nodes")
+    host.send_keys(Keys.CONTROL + "g")
+    page.until(lambda: [each.get("group") for each in nodes_of(file).values()] == [4, 4, None], "the group")
+
+
+def test_a_mistake_in_a_closed_group_is_found(page, folder):
+    made = json.loads(sheet(*FRAMED))
+    made["groups"] = [{"id": 9, "name": "Rings", "x": 0, "y": 0, "open": False}]
+    for node in made["nodes"][1:3]:
+        node["group"] = 9
+    made["nodes"][2]["code"] = "throw new Error('no edge');"
+    (folder / "hidden.json").write_text(json.dumps(made))
+    page.open("hidden.json")
+    page.until(lambda: page.node("Rings").get_attribute("class").split()[-1] == "wrong", "the mark at the group")
+    page.find("#sheet-message").click()
+    page.until(lambda: "no edge" in page.text(".code"), "the node's code")
+    for change in ({"group": 9}, {"open": 1}, {"id": 1}):
+        bad = json.loads(json.dumps(made))
+        bad["groups"][0].update(change)
+        (folder / "bad.json").write_text(json.dumps(bad))
+        page.open("bad.json")
+        page.until(lambda: "group of this sheet is within itself" in page.text("#message")
+                   or "a group that is none" in page.text("#message"), f"what is wrong with {change}")
+        assert json.loads((folder / "bad.json").read_text()) == bad
+
+
+def test_undo_survives_reloads_and_servers(page, folder, server):
+    """Build, reload, undo; kill the server, undo and reload; a file that changed meanwhile wins, with a line."""
+    file = folder / "past.frep"
+    file.write_text("circle(3)\n")
+    page.open("past.frep")
+    page.settled()
+    for text in ("circle(4)", "circle(5)"):
+        page.type("#editor", Keys.CONTROL + "a", text)
+        page.saved()
+        time.sleep(0.6)  # typing without a pause is one step
+    page.browser.refresh()
+    page.settled()
+    page.find("#undo").click()
+    page.until(lambda: file.read_text() == "circle(4)", "a step back, after the reload")
+    page.find("#redo").click()
+    page.until(lambda: file.read_text() == "circle(5)", "a step forward")
+    page.find("#undo").click()
+    page.saved()
+    port = server[0].port
+    server[0].kill()
+    page.find("#undo").click()
+    page.saved("away")
+    server[0] = Server(folder, port=port)
+    page.open("past.frep")
+    page.until(lambda: file.read_text() == "circle(3)\n", "what was undone without a server")
+    page.find("#redo").click()
+    page.until(lambda: file.read_text() == "circle(4)", "forward again")
+    page.saved()
+    assert not page.find("#notice").is_displayed()
+
+    file.write_text("circle(9)\n")
+    page.open("past.frep")
+    page.until(lambda: "changed elsewhere: this is the newer version" in page.text("#notice"), "the line")
+    page.settled()
+    assert abs(page.coloured() / (math.pi * 81) - 1) < 0.02 and file.read_text() == "circle(9)\n"
+    page.find("#undo").click()
+    page.until(lambda: file.read_text() == "circle(4)", "this browser's version")
+    page.find("#undo").click()
+    page.until(lambda: file.read_text() == "circle(3)\n", "and what was before it")
+
+
+def test_undo_of_a_sheet_survives_a_reload(page, folder, server):
+    file = folder / "past.json"
+    file.write_text(sheet(("Centre", 0, 0, POINT, []), ("Circle", 16, 12, CIRCLE, [1])))
+    page.open("past.json")
+    page.settled()
+    page.choose("Circle")
+    page.find("#sheet").send_keys(Keys.ARROW_RIGHT)
+    page.find("#sheet").send_keys(Keys.ARROW_RIGHT)
+    page.until(lambda: nodes_of(file)["Circle"]["x"] == 18, "the moves")
+    page.add("Point")
+    page.saved()
+    page.browser.refresh()
+    page.settled()
+    page.find("#undo").click()
+    page.until(lambda: len(nodes_of(file)) == 2, "no third node")
+    port = server[0].port
+    server[0].kill()
+    page.find("#undo").click()
+    page.saved("away")
+    page.browser.execute_script("window.left = true")
+    server[0] = Server(folder, port=port)
+    page.until(lambda: nodes_of(file)["Circle"]["x"] == 17, "the move undone, when the server is back")
+    page.browser.refresh()
+    page.settled()
+    page.find("#undo").click()
+    page.until(lambda: nodes_of(file)["Circle"]["x"] == 16, "the first move undone")
+    for _ in range(3):
+        page.find("#redo").click()
+    page.until(lambda: len(nodes_of(file)) == 3, "all again")
+
+
 def test_code_of_nodes_reaches_nothing(page, folder):
     """No network, no storage, no page: a sheet from a stranger can only compute."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
@@ -348,6 +715,27 @@ def test_a_scan_by_upload(page, folder, tmp_path):
                in (folder / "ball.frep").read_text() and page.coloured() > 1.1 * area, "a lower threshold")
     page.shot("web_scan")
     assert (folder / "ball.nii.gz").read_bytes() == (tmp_path / "ball.nii.gz").read_bytes()
+
+
+def test_a_series_of_slices_by_upload(page, folder, tmp_path):
+    """All slices are chosen at once; they become one scan. What is wrong with others is told."""
+    at = np.indices((24, 24, 24)) - 11.5
+    ball = np.clip(1000 + 400 * (8 - np.sqrt((at**2).sum(axis=0))), 0, 2000).astype("u2")
+    for k in range(24):
+        (tmp_path / f"IM{k:04d}").write_bytes(dicom(k, rows=ball[k], z=k, spacing=(1, 1, 1)))
+    page.open()
+    page.until(lambda: page.find("#new-scan").is_displayed(), "the gallery")
+    page.find("#scan-file").send_keys(str(tmp_path / "IM0000"))
+    page.until(lambda: page.browser.switch_to.alert.text, "what is wrong with one slice")
+    page.browser.switch_to.alert.accept()
+    page.find("#scan-file").send_keys("\n".join(str(tmp_path / f"IM{k:04d}") for k in range(24)))
+    page.until(lambda: page.find("#histogram svg").is_displayed(), "the histogram")
+    page.settled()
+    page.find("#mode option[value=bitmap]").click()
+    page.settled()
+    [name] = re.findall(r'open\("(.+\.nii)"', page.text("#editor"))
+    assert ff.Volume.open(folder / name).size == [24, 24, 24]
+    assert page.text("#histogram").startswith("24 × 24 × 24 samples, 1 × 1 × 1 mm apart")
 
 
 def set_value(page, selector, value):

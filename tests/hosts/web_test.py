@@ -2,6 +2,7 @@
 
 import asyncio
 import contextlib
+import io
 import json
 import os
 import signal
@@ -10,6 +11,7 @@ import struct
 import subprocess
 import sys
 import time
+import zipfile
 import zlib
 
 import aiohttp
@@ -19,9 +21,11 @@ import pytest
 import web_hostile
 from conftest import BUILD, COMMAND
 from rs274 import moves_of_program
+from volume_test import dicom, tiff
 from web_server import Server, Socket, children, pixels, wait_until
 
 import fieldfab as ff
+from fieldfab.serve.processes import Pool, Refused
 
 # A text whose cost doubles with each line, beyond any machine's memory and time.
 ENDLESS = "a0 = sphere(1)\n" + "".join(f"a{i + 1} = a{i} | move(a{i}, {1.1**i})\n" for i in range(40)) + "a40\n"
@@ -235,6 +239,54 @@ def test_an_endless_text_ends_and_others_go_on(server):
     run(talk())
 
 
+def test_requests_whose_time_is_over_are_ended_once():
+    """Several clients that wait may end a long request at the same moment; the worker then serves the next one."""
+    async def talk():
+        pool = Pool(1)
+        request = {"do": "look", "text": ENDLESS, "language": "frep", "values": {}, "folder": "/tmp"}
+        async with pool.worker(ENDLESS) as worker:
+            with pytest.raises(Refused, match="others wait"):
+                async def end():
+                    while worker._timeout is None:
+                        await asyncio.sleep(0.01)
+                    for _ in range(5):
+                        worker.hurry()
+                        await asyncio.sleep(0)
+
+                ending = asyncio.create_task(end())
+                async for _ in worker.ask(request, 20):
+                    pass
+            await ending
+        assert (await pool.ask({**request, "text": "sphere(5)"}))[0]["flat"] is False
+        pool.kill()
+        await asyncio.sleep(0.1)  # the loop notices the end of the process
+
+    run(talk())
+
+
+def test_no_request_waits_for_ever_behind_others():
+    """Requests of rank 0 arrive all the time. One of rank 2 gets its turn."""
+    async def talk():
+        pool, served = Pool(1), []
+
+        async def one(rank):
+            async with pool.worker("", rank):
+                served.append(rank)
+                await asyncio.sleep(0.05)
+
+        async def crowd():
+            while 2 not in served:
+                await one(0)
+
+        crowds = [asyncio.create_task(crowd()) for _ in range(4)]
+        await asyncio.sleep(0.1)
+        await asyncio.wait_for(one(2), 20)
+        await asyncio.gather(*crowds)
+        assert served.index(2) > 20, "others go first for some seconds"
+
+    run(talk())
+
+
 def test_a_worker_that_is_killed_is_replaced(server):
     for process in server.workers():
         os.kill(process, signal.SIGKILL)
@@ -286,6 +338,10 @@ def test_files_of_formats(server, tmp_path):
         status, headers, data = server.ask("GET", f"/api/jobs/{job['job']}/file")
         assert status == 200 and len(data) == job["result"]["bytes"]
         assert headers["Content-Disposition"] == f'attachment; filename="model{extension}"'
+        for name, saved in (("part.stl", "part.stl"), ("..%2Fpart", f"model{extension}"),
+                            ("a%22;b", f"model{extension}")):
+            headers = server.ask("GET", f"/api/jobs/{job['job']}/file?name={name}")[1]
+            assert headers["Content-Disposition"] == f'attachment; filename="{saved}"'
         if extension == ".glb":
             assert data[:4] == b"glTF" and struct.unpack_from("<I", data, 8)[0] == len(data)
             assert b'"base"' in data and b'"ball"' in data
@@ -485,10 +541,14 @@ def test_what_a_job_lacks_is_told(server):
 # Scans
 
 
+def ball(radius, size):
+    at = np.indices((size, size, size)) - (size - 1) / 2
+    return np.clip(100 + 40 * (radius - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32)
+
+
 def ball_scan(path, radius=8, size=32):
     """Writes a scan of a ball with densities 0 to 200, 100 at its surface; spacing 1 mm."""
-    at = np.indices((size, size, size)) - (size - 1) / 2
-    ff.Volume(np.clip(100 + 40 * (radius - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32)).save(path)
+    ff.Volume(ball(radius, size)).save(path)
     return path.read_bytes()
 
 
@@ -512,7 +572,7 @@ def test_a_scan_is_uploaded_looked_at_and_shown(server, folder, tmp_path):
     refused(server.post("/api/scan", {"name": "ball.nii.gz"}), 404, "no scan")
 
 
-@pytest.mark.parametrize("name", ["../out.nii", "..%2Fout.nii", "%2Fetc%2Fpasswd.nii", ".hidden.nii", "x.nrrd",
+@pytest.mark.parametrize("name", ["../out.nii", "..%2Fout.nii", "%2Fetc%2Fpasswd.nii", ".hidden.nii", "x.mhd",
                                   "x.frep", "x.nii%00.sh", "a" * 200 + ".nii"])
 def test_scans_stay_in_the_folder(server, folder, name):
     before = sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))
@@ -541,6 +601,107 @@ def test_scans_are_whole_or_refused(server, folder, tmp_path):
         long.sendall(f"PUT /api/scans/long.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n"
                      "Content-Length: 2000000000\r\n\r\n".encode())
         assert b" 413 " in long.recv(1000)
+
+
+def zipped(contents):
+    """Returns a .zip archive of {name: bytes}."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in contents.items():
+            archive.writestr(name, content)
+    return made.getvalue()
+
+
+BALL = ball(8, 32)
+NRRD = b"NRRD0004\ntype: float\ndimension: 3\nsizes: 32 32 32\nspacings: 1 1 1\nendian: little\nencoding: raw\n"
+MHD = (b"ObjectType = Image\nNDims = 3\nDimSize = 32 32 32\nElementType = MET_FLOAT\nElementSpacing = 1 1 1\n"
+       b"ElementByteOrderMSB = False\n")
+DICOM = {f"series/IM{k}": dicom(k, rows=BALL[k].astype("u2"), z=k, spacing=(1, 1, 1)) for k in range(32)}
+OTHERS = {f"other/IM{k}": dicom(k, "1.2.9", rows=0 * BALL[k].astype("u2") + k, z=k, spacing=(1, 1, 1))
+          for k in range(5)}
+CONVERTED = {
+    "ball.nrrd": NRRD + b"\n" + BALL.tobytes(),
+    "ball.mha": MHD + b"ElementDataFile = LOCAL\n" + BALL.tobytes(),
+    "mhd and raw.zip": zipped({"a/ball.mhd": MHD + b"ElementDataFile = ball.raw\n", "a/ball.raw": BALL.tobytes()}),
+    "nhdr and raw.zip": zipped({"ball.nhdr": NRRD + b"data file: ball.raw\n\n", "ball.raw": BALL.tobytes()}),
+    "dicom.zip": zipped({**DICOM, "DICOMDIR": b"no slice", "__MACOSX/._IM1": b"", "readme.txt": b"words"}),
+    "two series.zip": zipped({**DICOM, **OTHERS}),
+}
+
+
+@pytest.mark.parametrize("name", CONVERTED)
+def test_scans_of_other_formats_become_nifti(server, folder, name):
+    """Also from archives, whose folders are left out."""
+    status, _, data = server.ask("PUT", f"/api/scans/{name.replace(' ', '%20')}", CONVERTED[name])
+    told = json.loads(data)
+    stem = name.rpartition(".")[0]
+    assert status == 201 and told["name"] == f"{stem}.nii", told
+    assert ("the longest of 2 series" in told["note"]) == (name == "two series.zip")
+    status, scan = server.post("/api/scan", {"name": told["name"]})
+    assert status == 200 and scan["size"] == [32, 32, 32] and scan["spacing"] == [1, 1, 1]
+    densities = ff.Volume.open(f"{folder}/{stem}.nii").densities()
+    assert abs(densities - (BALL if "dicom" not in name and "series" not in name else BALL.astype("u2"))).max() == 0
+    again = server.ask("PUT", f"/api/scans/{name.replace(' ', '%20')}", CONVERTED[name])
+    refused((again[0], json.loads(again[2])), 409, "already")
+    assert server.ask("DELETE", f"/api/scans/{told['name'].replace(' ', '%20')}")[0] == 200
+    assert [each for each in os.listdir(folder) if each.startswith(".")] == []
+
+
+SECRET = "/etc/passwd"
+HOSTILE = {
+    "names.nrrd": (NRRD + f"data file: {SECRET}\n\n".encode(), "was not uploaded with it"),
+    "spaced.nrrd": (NRRD + f"  datafile :{SECRET}\n\n".encode(), "was not uploaded with it"),
+    "list.nrrd": (NRRD + b"data file: LIST\n" + SECRET.encode() + b"\n\n", "was not uploaded with it"),
+    "names.mha": (MHD + f"ElementDataFile = {SECRET}\n".encode(), "was not uploaded with it"),
+    "twice.mha": (MHD + f"ElementDataFile = LOCAL\nElementDataFile = {SECRET}\n".encode(), "was not uploaded with it"),
+    "none.mha": (MHD, "has no 'ElementDataFile'"),
+    "endless.nrrd": (NRRD + b"# words\n" * 20_000, "has no end"),
+    "up.zip": (zipped({"ball.mhd": MHD + b"ElementDataFile = ../../ball.raw\n", "ball.raw": b""}),
+               "was not uploaded with it"),
+    "two.zip": (zipped({"a.nii": b"1", "b.nii": b"2"}), "these are 2 scans: a.nii, b.nii"),
+    "empty.zip": (zipped({}), "no files"),
+    "garbage.zip": (os.urandom(5000), "cannot be read"),
+    "words.zip": (zipped({"readme.txt": b"words"}), ""),
+    "garbage.nrrd": (NRRD + b"\n" + bytes(100), ""),
+    "garbage.dcm": (os.urandom(5000), ""),
+    "many.zip": (zipped({f"{i}.dcm": b"" for i in range(5_001)}), "5,000 are possible"),
+    "bomb.zip": (None, "2,000,000,000 are possible"),
+    "sizes.nrrd": (NRRD.replace(b"32 32 32", b"32000 32000 32000") + b"\n", ""),
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_scans_are_refused(server, folder, tmp_path, name):
+    """Headers that name other files, bombs and garbage: one line, and no file."""
+    data, words = HOSTILE[name]
+    if data is None:  # 2.1 GB of zeros in 2 MB
+        with zipfile.ZipFile(tmp_path / "bomb.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+            with archive.open("zeros.raw", "w", force_zip64=True) as file:
+                for _ in range(2100):
+                    file.write(bytes(1_000_000))
+        data = (tmp_path / "bomb.zip").read_bytes()
+    before = sorted(os.listdir(folder))
+    status, _, answer = server.ask("PUT", f"/api/scans/{name}", data)
+    error = refused((status, json.loads(answer)), 422, words)
+    assert "upload-" not in error["message"] and sorted(os.listdir(folder)) == before
+
+
+def test_slices_have_the_distances_of_their_file(server, folder):
+    slices = {f"s/{k}.tif": tiff(BALL[k].astype("u1")) for k in range(32)}
+    told = b"widthScale = 0.5\nheightScale = 0.75\ndepthScale = 2\n"
+    given = zipped({**slices, "s/dimensions.txt": told, "s/readme.txt": b"words"})
+    assert server.ask("PUT", "/api/scans/slices.zip", given)[0] == 201
+    scan = server.post("/api/scan", {"name": "slices.nii"})[1]
+    assert scan["size"] == [32, 32, 32] and scan["spacing"] == [0.5, 0.75, 2]
+    server.ask("DELETE", "/api/scans/slices.nii")
+
+
+def test_what_a_killed_server_left_of_uploads_is_removed(tmp_path):
+    for name, age in ((".upload-0123456789abcdef", 7200), (".upload-0123456789abcde0", 0), (".upload-mine", 7200)):
+        (tmp_path / name).mkdir()
+        os.utime(tmp_path / name, (time.time() - age,) * 2)
+    Server(tmp_path).end()
+    assert sorted(os.listdir(tmp_path)) == [".upload-0123456789abcde0", ".upload-mine"]
 
 
 # Safety
@@ -624,11 +785,11 @@ def test_a_short_siege(tmp_path):
     client gets its pictures meanwhile. The server's memory does not grow; it leaves no files and prints no messages."""
     running = Server(tmp_path)
     try:
-        waited, memory, said = asyncio.run(web_hostile.siege(running, 15, crowd=2))
+        waited, _, memory, said = asyncio.run(web_hostile.siege(running, 15, crowd=2))
     finally:
         running.kill()
     assert waited and max(waited) < 60
-    assert max(server for _, server, _ in memory) < 250 and max(workers for _, _, workers in memory) < 4000
+    assert max(server for _, server, _ in memory) < 250 and max(sum(workers) for _, _, workers in memory) < 4000
     assert said == "" and os.listdir(tmp_path) == []
 
 

@@ -113,7 +113,7 @@ TEST_P(ClosedMeshTwin, IsTheSameSurfaceWithFewerVertices) {
     const Fine fine(stock);
     expect_closed(fine.mesh);
     std::vector<std::uint32_t> cuts;
-    const TriangleMesh mesh = stock.mesh(&cuts);
+    const TriangleMesh mesh = stock.mesh(&cuts, Progress::none(), StockEdges::sampled);
     ASSERT_EQ(cuts.size(), mesh.vertices.size());
     expect_closed(mesh);
     // The area is equal, too, so that the mesh does not overlap itself within a plane.
@@ -277,7 +277,7 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
   EXPECT_LT(mesh.vertices.size(), fine.mesh.vertices.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     EXPECT_NEAR(said.at_vertex[v], deviation(mesh.vertices[v]), setup.sampling.cell / 100);
-  EXPECT_NEAR(mesh.volume(), fine.mesh.volume(), 1e-6 * mesh.volume());
+  EXPECT_NEAR(mesh.volume(), fine.mesh.volume(), 2e-3 * mesh.volume());  // its edges are not cut off
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, DeviationTwin,

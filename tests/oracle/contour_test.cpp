@@ -11,6 +11,7 @@
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
@@ -149,6 +150,27 @@ TEST(Contour, KeepsTheEdgesAndCornersOfTurnedCubes) {
       }
     }
   EXPECT_GE(exact, corners * 95 / 100);
+}
+
+/// Sharpening mends areas of 16 cells at the same time: these solids have many, with edges across their borders.
+TEST(Contour, IsTheSameForAnyNumberOfThreads) {
+  const Expression word = s::extrude(frep::shapes::text("Sharp &\nequal", 5, 0.8), 2, 0);
+  const FieldPtr cut = subtract(rotate(frep::make_field(s::box(30, 24, 20)), {1, 0.3, 0}, 0.4),
+                                rotate(frep::make_field(s::cylinder(3, 40)), Vec3::UnitX(), 0.9));
+  for (const auto& [solid, bounds, voxel] :
+       {std::tuple{frep::make_field(word), Box{Vec3(-1, -13, -1), Vec3(25, 7, 3)}, 0.4},
+        std::tuple{cut, Box{Vec3::Constant(-24), Vec3::Constant(24)}, 0.5}}) {
+    ContourMesh first;
+    for (const int threads : {1, 2, 3, 8}) {
+      const ThreadLimit limit(threads);
+      const ContourMesh mesh = contour(*solid, bounds, {voxel});
+      if (threads == 1) first = mesh;
+      EXPECT_GT(mesh.triangles.size(), 5000U);
+      EXPECT_EQ(mesh.triangles, first.triangles) << threads;
+      EXPECT_EQ(mesh.vertices, first.vertices) << threads;
+    }
+    expect_valid(first, "the mesh of all threads");
+  }
 }
 
 // A wedge of 20 degrees is thinner than a voxel up to three voxels from its edge.

@@ -94,8 +94,7 @@ TEST(MeshlabFilters, MakeValidSolidsOfAnySoup) {
 TEST(MeshlabFilters, StopWithinAMomentWhenCancelled) {
   const auto layer = ball_layer(0.15);
   const std::size_t triangles = layer->mesh.triangles.size();
-  // Rounded edges use distances on a lattice. Edges of small triangles are sharpened one after the
-  // other, which delays cancellation.
+  // Rounded edges use distances on a lattice. Sharp edges of small triangles delay cancellation.
   for (const auto& [name, edges, seconds] : {std::tuple{"Remesh", 2.0, 1.0},
                                              {"Offset", 2.0, 1.0},
                                              {"Shell", 2.0, 1.0},

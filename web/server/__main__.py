@@ -11,8 +11,12 @@ import socket
 import sys
 import webbrowser
 
-from aiohttp import web
-from aiohttp.http_exceptions import HttpProcessingError
+try:
+    from aiohttp import web
+    from aiohttp.http_exceptions import HttpProcessingError
+except ImportError:
+    print("fieldfab: serve needs aiohttp (Debian's python3-aiohttp)", file=sys.stderr)
+    sys.exit(2)
 
 from .app import Server
 from .safety import Guard, new_token
@@ -66,11 +70,12 @@ def handle_exception(loop, context):
 
 async def serve(options):
     local = is_this_machine(options.host)
-    token = None if local else os.environ.get("FIELDFAB_TOKEN") or new_token()
+    token = os.environ.get("FIELDFAB_TOKEN") or (None if local else new_token())
     listener = listening(options.host, options.port)
     port = listener.getsockname()[1]
     name = f"[{options.host}]" if ":" in options.host else options.host
-    hosts = {f"{each}:{port}" for each in ("127.0.0.1", "localhost", "[::1]", name)} if local else None
+    # With a token any name is accepted: a balancer keeps its own, and the cookie belongs to one name.
+    hosts = None if token else {f"{each}:{port}" for each in ("127.0.0.1", "localhost", "[::1]", name)}
     asyncio.get_running_loop().set_exception_handler(handle_exception)
     logging.getLogger("aiohttp.server").addFilter(is_our_fault)
     server = Server(options.folder, options.allow_scripts, scheduler=options.scheduler)

@@ -4,6 +4,7 @@ import asyncio
 import json
 import os
 import pathlib
+import re
 import secrets
 
 from aiohttp import web
@@ -23,6 +24,7 @@ from .sockets import Sockets
 
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE, EXAMPLES = HERE / "page", HERE / "examples"
+FILE_NAME = re.compile(r"[^\W_][\w .+-]{0,119}", re.ASCII)  # that a browser is told to save a job's file as
 NO_PAGE = "The page is not built: npm was out of reach when Fieldfab was built. The protocol works (docs/web.md).\n"
 
 
@@ -120,8 +122,7 @@ class Server:
         return web.json_response({})
 
     async def upload_scan(self, request):
-        await self.scans.upload(request.match_info["name"], request)
-        return web.json_response({}, status=201)
+        return web.json_response(await self.scans.upload(request.match_info["name"], request), status=201)
 
     async def remove_scan(self, request):
         self.scans.remove(request.match_info["name"])
@@ -219,7 +220,10 @@ class Server:
         name = request.match_info.get("name", job.name)
         if name not in os.listdir(job.folder):
             raise Refused(404, "missing", f"the job made no file '{name[:60]}'")
-        headers = {"Content-Disposition": f'attachment; filename="{name}"', "X-Content-Type-Options": "nosniff"}
+        saved = request.query.get("name", "")
+        if not FILE_NAME.fullmatch(saved):
+            saved = name
+        headers = {"Content-Disposition": f'attachment; filename="{saved}"', "X-Content-Type-Options": "nosniff"}
         if name.endswith(".html"):  # our reports: no scripts, no external resources, an opaque origin
             headers = {"Content-Security-Policy": REPORT_POLICY, "X-Content-Type-Options": "nosniff"}
         return web.FileResponse(os.path.join(job.folder, name), headers=headers)

@@ -1,5 +1,7 @@
 """Documents: plain files in one folder, written whole or not at all."""
 
+import contextlib
+import fcntl
 import hashlib
 import os
 import re
@@ -77,13 +79,25 @@ class Documents:
             data.decode()
         except UnicodeDecodeError as error:
             raise Refused(400, "bad_request", f"the document is no UTF-8 (byte {error.start})") from None
-        if expected != "*" and self.version(name) not in (expected, version_of(data)):
-            raise Refused(409, "changed", f"'{name}' was changed by someone else meanwhile")
-        try:
-            ff.write_file(path, data)
-        except ff.Error as error:
-            raise Refused(422, "io", str(error)) from None
+        with self._alone():
+            if expected != "*" and self.version(name) not in (expected, version_of(data)):
+                raise Refused(409, "changed", f"'{name}' was changed by someone else meanwhile")
+            try:
+                ff.write_file(path, data)
+            except ff.Error as error:
+                raise Refused(422, "io", str(error)) from None
         return version_of(data)
+
+    @contextlib.contextmanager
+    def _alone(self):
+        """Locks the folder against other servers: a version is compared and replaced in one step."""
+        folder = os.open(self.folder, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            with contextlib.suppress(OSError):  # some network file systems have no locks
+                fcntl.flock(folder, fcntl.LOCK_EX)
+            yield
+        finally:
+            os.close(folder)
 
     def remove(self, name):
         try:

@@ -12,6 +12,8 @@ class Limits:
     side: int = 4096  # pixels along a side of a picture
     pixels: int = 4_000_000
     scan: int = 1_000_000_000  # bytes of an uploaded scan
+    unpacked: int = 2_000_000_000  # bytes of the files of an archive, and of a scan's densities
+    scan_files: int = 5_000  # files in an archive
     uploads: int = 2  # at a time
     upload_seconds: float = 600
     points: int = 100_000  # values at points in one request

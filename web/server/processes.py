@@ -14,6 +14,7 @@ from .limits import LIMITS
 KEPT_TEXTS = 100
 # Seconds from a request to stop until a worker is killed. On a busy machine a new process costs more.
 GRACE = 4.0
+DELAY = 2.0  # seconds by which a request of the next rank may overtake
 
 
 class Refused(Exception):
@@ -92,13 +93,17 @@ class Worker:
         self._stopping = True
         with contextlib.suppress(ConnectionError, RuntimeError):
             self._process.stdin.write(frame({"do": "stop"}))
-        self._timeout.reschedule(asyncio.get_running_loop().time() + GRACE)
+        self._end_in(GRACE)
 
     def hurry(self):
         """Ends a long request for the sake of others in the queue."""
         if self._timeout is not None and not self._stopping:
             self._hurried = True
-            self._timeout.reschedule(asyncio.get_running_loop().time())
+            self._end_in(0)
+
+    def _end_in(self, seconds):
+        with contextlib.suppress(RuntimeError):  # its time is over already, and the task has not noticed yet
+            self._timeout.reschedule(asyncio.get_running_loop().time() + seconds)
 
     def kill(self):
         if self._process is not None:
@@ -108,9 +113,9 @@ class Worker:
 
 
 class Pool:
-    """Workers for short requests. The queue is ordered by rank (0 first), then by arrival. A text goes to the worker
-    that had it last, if that one is idle. After a request has waited for `LIMITS.crowded_seconds`, longer ones are
-    ended."""
+    """Workers for short requests. The queue is ordered by arrival; each rank (0: first) counts as `DELAY` seconds, so
+    that none waits for ever behind new ones of lower rank. A text goes to the worker that had it last, if that one is
+    idle. After a request has waited for `LIMITS.crowded_seconds`, longer ones are ended."""
 
     def __init__(self, count):
         self._idle, self._busy = [Worker() for _ in range(count)], set()
@@ -123,11 +128,12 @@ class Pool:
     @contextlib.asynccontextmanager
     async def worker(self, text, rank=0):
         if not self._idle:
-            turn = asyncio.get_running_loop().create_future()
-            heapq.heappush(self._waiting, (rank + (2 if text in self._heavy else 0), next(self._arrivals), turn))
+            loop = asyncio.get_running_loop()
+            turn, rank = loop.create_future(), rank + (2 if text in self._heavy else 0)
+            heapq.heappush(self._waiting, (loop.time() + DELAY * rank, next(self._arrivals), turn))
             try:
                 worker = await self._patiently(turn)
-            except asyncio.CancelledError:
+            except BaseException:
                 if turn.done():  # a worker was assigned at the same time
                     self._release(turn.result())
                 turn.cancel()

@@ -1,27 +1,38 @@
 """Scans: files of densities in the documents' folder, uploaded whole or not at all."""
 
 import asyncio
+import contextlib
 import os
 import re
 import secrets
+import shutil
+import time
 
 from .limits import LIMITS
-from .processes import Refused
+from .processes import Refused, Worker
 from .protocol import wrong
 
 # Formats without references to other files, which could be anywhere.
 NAME = re.compile(r"[^\W_][\w .+-]{0,99}\.(nii|nii\.gz|vdb|tif|tiff)", re.ASCII | re.IGNORECASE)
+# Others become .nii files (archives.py).
+CONVERTED = re.compile(r"([^\W_][\w .+-]{0,99})\.(nrrd|mha|dcm|dicom|ima|zip)", re.ASCII | re.IGNORECASE)
+ENDINGS = ".nii, .nii.gz, .vdb, .tif, .nrrd, .mha, .dcm or .zip"
+STALE = 3600.0  # seconds after which the files of an upload are those of a server that was killed
 
 
 class Scans:
     def __init__(self, folder):
         self._folder, self._turn = os.path.realpath(folder), asyncio.Semaphore(LIMITS.uploads)
+        for entry in os.scandir(self._folder):
+            with contextlib.suppress(OSError):  # another server of the folder may remove it, too
+                if re.fullmatch(r"\.upload-[0-9a-f]{16}", entry.name) and time.time() - entry.stat().st_mtime > STALE:
+                    self._clear(entry.path)
 
     def path(self, name):
         """Returns a scan's path. Raises Refused for an invalid name."""
         if not NAME.fullmatch(name):
             raise Refused(400, "name", f"'{name[:120]}' is no name of a scan: "
-                          "letters, digits, spaces and . + - _, and .nii, .nii.gz, .vdb or .tif at the end")
+                          f"letters, digits, spaces and . + - _, and {ENDINGS} at the end")
         return os.path.join(self._folder, name)
 
     def existing(self, name):
@@ -36,28 +47,57 @@ class Scans:
                           if NAME.fullmatch(entry.name) and entry.is_file(follow_symlinks=False))[: LIMITS.documents]
 
     async def upload(self, name, request):
-        """Writes the body of a request to a new scan; never overwrites one."""
-        path = self.path(name)
+        """Writes the body of a request to a new scan; never overwrites one. Returns the values of the answer: its name
+        in the folder, and a remark."""
+        converted = CONVERTED.fullmatch(name)
+        stored = f"{converted[1]}.nii" if converted else name
+        path = self.path(stored)
         if (request.content_length or 0) > LIMITS.scan:
             raise Refused(413, "too_large", f"a scan may have {LIMITS.scan:,} bytes")
+        if converted and os.path.lexists(path):
+            raise Refused(409, "changed", f"there is a scan '{stored}' already")
         if self._turn.locked():
             raise Refused(503, "busy", f"{LIMITS.uploads} scans are uploaded already; try again later")
-        waiting = os.path.join(self._folder, f".upload-{secrets.token_hex(8)}")
+        waiting, note = os.path.join(self._folder, f".upload-{secrets.token_hex(8)}"), ""
         async with self._turn:
             try:
+                if converted:
+                    os.mkdir(waiting)
+                given = os.path.join(waiting, name) if converted else waiting
                 async with asyncio.timeout(LIMITS.upload_seconds):
-                    with open(waiting, "xb") as file:
+                    with open(given, "xb") as file:
                         await self._receive(request, file)
-                    await asyncio.to_thread(self._publish, waiting, path)
+                if converted:
+                    made = os.path.join(waiting, "made.nii")
+                    note = await self._convert(given, made)
+                await asyncio.to_thread(self._publish, made if converted else given, path)
             except TimeoutError:
                 raise Refused(408, "time", f"the upload took longer than {LIMITS.upload_seconds:g} s") from None
             except FileExistsError:
-                raise Refused(409, "changed", f"there is a scan '{name}' already") from None
+                raise Refused(409, "changed", f"there is a scan '{stored}' already") from None
             except OSError as error:
                 raise Refused(422, "io", f"'{name}': {error.strerror or 'the connection was closed'}") from None
             finally:
-                if os.path.exists(waiting):
-                    os.remove(waiting)
+                await asyncio.to_thread(self._clear, waiting)
+        return {"name": stored, "note": note}
+
+    @staticmethod
+    async def _convert(path, into):
+        """Returns a remark about the scan."""
+        worker = Worker()  # of its own, for its memory
+        try:
+            answers = [head async for head, _ in worker.ask({"do": "convert", "path": path, "into": into},
+                                                            LIMITS.job_seconds)]
+        finally:
+            worker.kill()
+        return answers[-1]["note"]
+
+    @staticmethod
+    def _clear(path):
+        if os.path.isdir(path):
+            shutil.rmtree(path, ignore_errors=True)
+        elif os.path.exists(path):
+            os.remove(path)
 
     async def _receive(self, request, file):
         size = 0

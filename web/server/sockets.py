@@ -76,6 +76,10 @@ class View:
         except Refused as error:
             self._session.tell({"type": "error", **head, **error.told})
             return False
+        except Exception as error:  # a bug of ours: reported, so that the client does not wait for ever
+            self._session.tell({"type": "error", **head, "kind": "internal", "mistakes": [],
+                                "message": f"{type(error).__name__}: {error}"})
+            raise
         finally:
             self._worker = None
             self._session.used(asyncio.get_running_loop().time() - started)

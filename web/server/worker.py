@@ -13,7 +13,7 @@ import threading
 
 import fieldfab as ff
 
-from . import files, machining, pictures
+from . import archives, files, machining, pictures
 from .frames import frame, read_frame
 from .models import Mistakes, Models, parameters_of, scan_told, utf16
 
@@ -78,6 +78,9 @@ class Worker:
     def scan(self, request):
         self.answer(scan_told(request["path"]))
 
+    def convert(self, request):
+        self.answer(archives.convert(request["path"], request["into"]))
+
     def words(self, request):
         """Returns completions at an offset in UTF-16 units."""
         data = request["text"].encode()
@@ -99,7 +102,7 @@ class Worker:
 
     def serve(self):
         known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters,
-                                                  self.scan, self.words, self.file, self.machine)}
+                                                  self.scan, self.convert, self.words, self.file, self.machine)}
         while True:
             request = self.requests.get()
             try:

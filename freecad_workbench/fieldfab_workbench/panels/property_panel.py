@@ -9,6 +9,7 @@ from ..words import PROPERTY, marked, property_label, tr
 from .choices import offer
 from .edit_panel import EditPanel
 from .measures import place_boxes, quantity_box
+from .property_handles import handles_of
 
 SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups shown only in FreeCAD's property editor
 HIDDEN = "Hidden"
@@ -26,10 +27,11 @@ class PropertyPanel(EditPanel):
 
     def __init__(self, obj):
         super().__init__(obj, tr(TITLES[obj.Proxy.NAME]))
-        self.rows, self.writers = QtWidgets.QFormLayout(), {}
+        self.rows, self.writers, self.widgets, self.handles = QtWidgets.QFormLayout(), {}, {}, None
         self.layout.addLayout(self.rows)
         self.layout.addWidget(self.message)
         self.layout.addStretch()
+        self.form.destroyed.connect(self.remove_handles)
         self.fill()
         self.preview = (
             Preview(obj, self.say, self.form) if hasattr(obj, "Mesh") and hasattr(obj.Proxy, "mesh_settings") else None)
@@ -38,6 +40,8 @@ class PropertyPanel(EditPanel):
         """Writes the values to the object and updates the preview of a solid. Shows errors, such as missing inputs."""
         try:
             self.take_over()
+            if self.handles:
+                self.handles.refresh()
             if self.preview:
                 self.preview.show(self.obj.Proxy.source(self.obj), self.obj.Proxy.mesh_settings(self.obj))
         except (ValueError, kernel.load().Error) as error:
@@ -46,7 +50,13 @@ class PropertyPanel(EditPanel):
     def close(self):
         if self.preview:
             self.preview.close()
+        self.remove_handles()
         super().close()
+
+    def remove_handles(self):
+        if self.handles:
+            self.handles.close()
+        self.handles = None
 
     def names(self):
         return [name for name in self.obj.PropertiesList
@@ -62,9 +72,20 @@ class PropertyPanel(EditPanel):
             return self.obj.getTypeIdOfProperty(name) != "App::PropertyEnumeration" or name != "Operation"
 
         for name in sorted(self.names(), key=comes_later):
-            widget, self.writers[name] = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
+            self.widgets[name], self.writers[name] = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
+            widget = self.widgets[name]
             widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
             self.rows.addRow(property_label(name), widget)
+        self.remove_handles()
+        self.handles = handles_of(self)
+
+    def set_number(self, name, value):
+        """Changes a length as if it was typed."""
+        self.widgets[name].setProperty("rawValue", value)
+
+    def set_coordinate(self, name, axis, value):
+        """Changes a coordinate of a vector as if it was typed."""
+        self.widgets[name].findChildren(QtWidgets.QDoubleSpinBox)[axis].setValue(value)
 
     def take_over(self):
         for write in self.writers.values():

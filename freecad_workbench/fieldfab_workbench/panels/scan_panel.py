@@ -14,6 +14,7 @@ from ..views.scan_preview import ScanPreview
 from ..words import tr
 from ..work import Gauge
 from .scan_form import ScanForm, set_quietly
+from .scan_handles import handles_of
 
 RAW = (".raw", ".vol", ".dcm")  # files that may lack the sample type or the size
 
@@ -26,9 +27,10 @@ class ScanPanel(ScanForm):
         self._had_crop = bool(obj.Crop)
         self._unseen = obj.Mesh.CountFacets == 0
         FreeCADGui.Selection.clearSelection()  # the selection's green would hide the preview
-        self.preview = ScanPreview(obj)
+        self.preview, self.handles, self._handles_are_for = ScanPreview(obj), None, None
         self.work, self.reading = Newest(self._failed, self._show_progress), Gauge(self.progress)
         self.form.destroyed.connect(self.work.stop)  # however the form is closed
+        self.form.destroyed.connect(self._remove_handles)
         self._connect()
         self._changed_file()
 
@@ -116,6 +118,7 @@ class ScanPanel(ScanForm):
             set_quietly([self.threshold], [overview.threshold])
         self.histogram.set_threshold(self.threshold.value(), cut.below)
         self._show_box(cut.crop)
+        self._show_handles(spacing)
         if cut.crop and any(a >= b for a, b in zip(cut.crop, cut.crop[3:])):
             self.say(tr("The last sample of a crop must lie after the first."))
             return
@@ -156,6 +159,20 @@ class ScanPanel(ScanForm):
         first, last = (crop[:3], crop[3:]) if crop else ((0, 0, 0), [n - 1 for n in volume.size])
         self.preview.show_box(volume, [n * s for n, s in zip(first, spacing)], [n * s for n, s in zip(last, spacing)])
 
+    def _show_handles(self, spacing):
+        """Shows arrows while the scan is cropped."""
+        wanted = (self.overview, spacing) if self.cropping.isChecked() else None
+        if wanted != self._handles_are_for:
+            self._remove_handles()
+            self.handles, self._handles_are_for = handles_of(self) if wanted else None, wanted
+        elif self.handles:
+            self.handles.refresh()
+
+    def _remove_handles(self):
+        if self.handles:
+            self.handles.close()
+        self.handles = self._handles_are_for = None
+
     def _failed(self, error):
         self.say(str(error))
         if self.overview is None:
@@ -191,6 +208,7 @@ class ScanPanel(ScanForm):
     def close(self):
         self.work.stop()
         self.preview.close()
+        self._remove_handles()
         super().close()
 
 

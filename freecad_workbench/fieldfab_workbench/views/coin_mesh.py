@@ -33,9 +33,9 @@ class MeshBytes:
             material = coin.SoMaterial()
             material.diffuseColor = colour
         else:
-            material = _read(self._material)
+            material = inventor.read_node(self._material)
             colours.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
-        for node in (pick, hints, material, colours, normals, *map(_read, self._rest)):
+        for node in (pick, hints, material, colours, normals, *map(inventor.read_node, self._rest)):
             root.addChild(node)
         return root
 
@@ -77,7 +77,3 @@ def _smooth_normals(vertices, triangles):
     corners = triangles.ravel()
     sums = [np.bincount(corners, np.repeat(faces[:, axis], 3), len(vertices)) for axis in range(3)]
     return inventor.unit(np.stack(sums, 1))
-
-
-def _read(whole):
-    return inventor.read(inventor.HEAD + whole).getChild(0)

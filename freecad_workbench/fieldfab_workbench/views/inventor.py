@@ -69,6 +69,11 @@ def _name(word):
     return struct.pack(">i", len(data)) + data + b"\0" * (-len(data) % 4)
 
 
+def read_node(data):
+    """Returns the Coin node in the bytes of node_bytes(). For the window's thread."""
+    return read(HEAD + data).getChild(0)
+
+
 def read(data):
     """Returns the Coin separator in the bytes of written(). For the window's thread."""
     from pivy import coin

@@ -1,13 +1,16 @@
 """View provider of a Part shape of a solid."""
 
-from .solid_view import SolidView
+from .solid_view import ObjectView, sources_of
 
 
-class PartShapeView(SolidView):
+class PartShapeView(ObjectView):
     def __init__(self, view):
-        view.Proxy = self
+        super().__init__(view)
         if view.Object.Source is not None:
             view.ShapeColor = view.Object.Source.ViewObject.ShapeColor
 
-    def claimChildren(self):
-        return []  # the solid stays at its own place in the tree
+    def onDelete(self, view, subelements):
+        """Shows the solid again."""
+        for source in sources_of(view.Object):
+            source.ViewObject.Visibility = True
+        return True

@@ -54,12 +54,27 @@ class SolidView(ObjectView):
         view.Lighting = "Two side"
         view.CreaseAngle = 30.0  # degrees; smooth shading except at sharp edges
 
+    def attach(self, view):
+        from .look import Look  # needs numpy and Coin
+
+        super().attach(view)
+        if not hasattr(view, "SharpEdges"):  # documents of earlier versions have none
+            view.addProperty("App::PropertyBool", "SharpEdges", "Object Style", "Draw lines along sharp edges")
+            view.SharpEdges = True
+        self._look = Look(view)
+
+    def _show_edges(self, view):
+        self._look.show(view.Object.Mesh if view.SharpEdges else None)
+
     def updateData(self, obj, name):
-        if name == "Operation":
+        if name == "Mesh":
+            self._show_edges(obj.ViewObject)
+        elif name == "Operation":
             obj.ViewObject.signalChangeIcon()
         elif name == "UncertainPlaces" and self.shows_places():
             self.show_places(obj)
 
+    _look = None  # before attach()
     # UncertainPlaces while they are displayed.
     _places = None
 
@@ -78,6 +93,8 @@ class SolidView(ObjectView):
             self._places = None
 
     def onChanged(self, view, name):
+        if name == "SharpEdges" and self._look is not None:
+            self._show_edges(view)
         if name == "Visibility" and not view.Visibility:
             self.hide_places()
         if (name == "Visibility" and view.Visibility and self.made_when_shown(view.Object)

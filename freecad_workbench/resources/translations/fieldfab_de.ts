@@ -1431,6 +1431,14 @@
         <source>Dark parts of a picture are high</source>
         <translation>Dunkle Stellen eines Bildes sind hoch</translation>
     </message>
+    <message>
+        <source>Sharp Edges</source>
+        <translation>Scharfe Kanten</translation>
+    </message>
+    <message>
+        <source>Draw lines along sharp edges</source>
+        <translation>Linien an scharfen Kanten zeichnen</translation>
+    </message>
 </context>
 <context>
     <name>Fieldfab</name>

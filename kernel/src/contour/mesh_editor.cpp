@@ -1,19 +1,13 @@
 #include "mesh_editor.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Segment_3.h>
-#include <CGAL/Triangle_3.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "fieldfab/mesh/triangle_contact.h"
+
 namespace fieldfab::contouring {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
 
 constexpr std::uint32_t no_fan = std::numeric_limits<std::uint32_t>::max();
 
@@ -40,15 +34,17 @@ FloatBox box_of(const TriangleMesh& mesh, const Triangle& triangle) {
   return box;
 }
 
+Cell cell_at(const Position& point, double size) {
+  Cell cell;
+  for (std::size_t i = 0; i < 3; ++i) cell[i] = static_cast<std::int64_t>(std::floor(point[i] / size));
+  return cell;
+}
+
 /// Calls visit(key) for each cell of that size that the box meets, until one call returns false.
 /// Returns whether none did.
 template <class Visit>
 bool for_cells(const FloatBox& box, double size, const Visit& visit) {
-  std::array<std::int64_t, 3> low, high;
-  for (std::size_t i = 0; i < 3; ++i) {
-    low[i] = static_cast<std::int64_t>(std::floor(box.lower[i] / size));
-    high[i] = static_cast<std::int64_t>(std::floor(box.upper[i] / size));
-  }
+  const Cell low = cell_at(box.lower, size), high = cell_at(box.upper, size);
   for (std::int64_t x = low[0]; x <= high[0]; ++x)
     for (std::int64_t y = low[1]; y <= high[1]; ++y)
       for (std::int64_t z = low[2]; z <= high[2]; ++z)
@@ -58,37 +54,11 @@ bool for_cells(const FloatBox& box, double size, const Visit& visit) {
   return true;
 }
 
-Point point_of(const TriangleMesh& mesh, std::uint32_t vertex) {
-  const Position& p = mesh.vertices[vertex];
-  return {p[0], p[1], p[2]};
-}
-
-/// Returns whether two triangles of the mesh have more in common than their common vertices and the
-/// edge between them.
-bool overlap(const TriangleMesh& mesh, const Triangle& one, const Triangle& other) {
-  const auto point = [&](std::uint32_t vertex) { return point_of(mesh, vertex); };
-  std::array<std::size_t, 3> common{};  // positions in `one` of the vertices that are also in `other`
-  std::size_t count = 0;
+bool contains(const MeshEditor::Region& region, const FloatBox& box, double size) {
+  const Cell low = cell_at(box.lower, size), high = cell_at(box.upper, size);
   for (std::size_t i = 0; i < 3; ++i)
-    if (std::find(other.begin(), other.end(), one[i]) != other.end()) common[count++] = i;
-  const Kernel::Triangle_3 a(point(one[0]), point(one[1]), point(one[2]));
-  const Kernel::Triangle_3 b(point(other[0]), point(other[1]), point(other[2]));
-  if (count == 0) return CGAL::do_intersect(a, b);
-  if (count == 1) {
-    const std::size_t i = common[0];
-    const auto j = static_cast<std::size_t>(std::find(other.begin(), other.end(), one[i]) - other.begin());
-    const Kernel::Segment_3 facing_a(point(one[(i + 1) % 3]), point(one[(i + 2) % 3]));
-    const Kernel::Segment_3 facing_b(point(other[(j + 1) % 3]), point(other[(j + 2) % 3]));
-    return CGAL::do_intersect(facing_a, b) || CGAL::do_intersect(facing_b, a);
-  }
-  if (count == 3) return true;
-  const std::size_t lone = 3 - common[0] - common[1];
-  const std::uint32_t p = one[common[0]], q = one[common[1]];
-  const std::uint32_t third =
-      *std::find_if(other.begin(), other.end(), [&](std::uint32_t v) { return v != p && v != q; });
-  const Point ends[2] = {point(p), point(q)};
-  return CGAL::coplanar(ends[0], ends[1], point(one[lone]), point(third)) &&
-         CGAL::coplanar_orientation(ends[0], ends[1], point(one[lone]), point(third)) == CGAL::POSITIVE;
+    if (low[i] < region.lower[i] || high[i] >= region.upper[i]) return false;
+  return true;
 }
 
 bool has(const Triangle& triangle, std::uint32_t vertex) {
@@ -97,8 +67,8 @@ bool has(const Triangle& triangle, std::uint32_t vertex) {
 
 }  // namespace
 
-MeshEditor::MeshEditor(TriangleMesh& mesh, std::span<const std::uint32_t> seeds, double reach)
-    : mesh_(mesh), cell_(2 * reach), fan_of_(mesh.vertices.size(), no_fan) {
+MeshEditor::MeshEditor(TriangleMesh& mesh, std::span<const std::uint32_t> seeds, double cell, double reach)
+    : mesh_(mesh), cell_(cell), fan_of_(mesh.vertices.size(), no_fan) {
   std::vector<bool> opened(mesh.vertices.size(), false);
   for (const std::uint32_t t : seeds)
     for (const std::uint32_t vertex : mesh.triangles[t]) opened[vertex] = true;
@@ -137,57 +107,145 @@ bool MeshEditor::sides(std::uint32_t a, std::uint32_t b, std::array<std::uint32_
   return count == 2;
 }
 
-bool MeshEditor::replace(std::span<const std::uint32_t> old, std::span<const Triangle> fresh) {
-  for (const Triangle& triangle : fresh)
-    if (!fits(triangle, old)) return false;
-  for (std::size_t i = 0; i < fresh.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (overlap(mesh_, fresh[i], fresh[j])) return false;
+Cell MeshEditor::cell_of(const Position& point) const { return cell_at(point, cell_); }
 
-  for (const std::uint32_t t : old)
-    for (const std::uint32_t vertex : mesh_.triangles[t])
-      if (fan_of_[vertex] != no_fan) std::erase(fans_[fan_of_[vertex]], t);
+bool MeshEditor::holds_fan(const Region& region, std::uint32_t vertex) const {
+  if (fan(vertex).empty()) return false;
+  FloatBox box;
+  for (const std::uint32_t t : fan(vertex))
+    for (const std::uint32_t corner : mesh_.triangles[t]) box.add(mesh_.vertices[corner]);
+  return contains(region, box, cell_);
+}
+
+Box MeshEditor::extent(const Region& region) const {
+  Box box;
+  for (int i = 0; i < 3; ++i) {
+    box.lower[i] = cell_ * static_cast<double>(region.lower[static_cast<std::size_t>(i)]);
+    box.upper[i] = cell_ * static_cast<double>(region.upper[static_cast<std::size_t>(i)]);
+  }
+  return box;
+}
+
+MeshEditor::Region MeshEditor::everything() {
+  constexpr std::int64_t far = std::numeric_limits<std::int64_t>::max();
+  return {{-far, -far, -far}, {far, far, far}, {}, {}, {}};
+}
+
+void MeshEditor::supply(Region& region, std::size_t count) {
+  const auto deal = [](std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& to, std::size_t number,
+                       auto& numbered) {
+    while (from.size() < number) {
+      from.push_back(static_cast<std::uint32_t>(numbered.size()));
+      numbered.push_back({});
+    }
+    to.insert(to.end(), from.end() - static_cast<std::ptrdiff_t>(number), from.end());
+    from.resize(from.size() - number);
+  };
+  deal(spare_vertices_, region.spare_vertices, count, mesh_.vertices);
+  // By Euler's formula each vertex brings two triangles.
+  deal(spare_triangles_, region.spare_triangles, 2 * count, mesh_.triangles);
   while (fan_of_.size() < mesh_.vertices.size()) {
     fan_of_.push_back(static_cast<std::uint32_t>(fans_.size()));
     fans_.emplace_back();
   }
+}
+
+void MeshEditor::take_back(Region& region) {
+  spare_vertices_.insert(spare_vertices_.end(), region.spare_vertices.begin(), region.spare_vertices.end());
+  spare_triangles_.insert(spare_triangles_.end(), region.spare_triangles.begin(), region.spare_triangles.end());
+}
+
+void MeshEditor::finish() {
+  std::vector<std::uint32_t> number(mesh_.vertices.size(), 0);
+  for (const std::uint32_t vertex : spare_vertices_) number[vertex] = 1;
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] != 0) continue;
+    mesh_.vertices[kept] = mesh_.vertices[i];
+    number[i] = kept++;
+  }
+  mesh_.vertices.resize(kept);
+  std::sort(spare_triangles_.begin(), spare_triangles_.end());
+  auto spare = spare_triangles_.begin();
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (spare != spare_triangles_.end() && *spare == t) {
+      ++spare;
+      continue;
+    }
+    for (std::size_t i = 0; i < 3; ++i) mesh_.triangles[next][i] = number[mesh_.triangles[t][i]];
+    ++next;
+  }
+  mesh_.triangles.resize(next);
+}
+
+bool MeshEditor::replace(Region& region, std::span<const std::uint32_t> old, std::span<const Triangle> fresh,
+                         Displaced displaced, std::vector<std::uint32_t>& changed) {
+  for (const Triangle& triangle : fresh)
+    if (!fits(region, triangle, old)) return false;
+  for (std::size_t i = 0; i < fresh.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (triangles_overlap(mesh_.vertices, fresh[i], fresh[j])) return false;
+
+  const bool moves = displaced.vertex != Displaced::none;
+  if (moves) std::swap(mesh_.vertices[displaced.vertex], displaced.position);
+  const bool inside = std::all_of(old.begin(), old.end(), [&](std::uint32_t t) {
+    return contains(region, box_of(mesh_, mesh_.triangles[t]), cell_);
+  });
+  if (inside)
+    for (const std::uint32_t t : old) strike(t);
+  if (moves) std::swap(mesh_.vertices[displaced.vertex], displaced.position);
+  if (!inside) return false;
+
   for (std::size_t i = 0; i < fresh.size(); ++i) {
-    auto t = static_cast<std::uint32_t>(mesh_.triangles.size());
+    std::uint32_t t = 0;
     if (i < old.size()) {
       t = old[i];
-      mesh_.triangles[t] = fresh[i];
     } else {
-      mesh_.triangles.push_back(fresh[i]);
+      t = region.spare_triangles.back();
+      region.spare_triangles.pop_back();
     }
+    mesh_.triangles[t] = fresh[i];
     enlist(t);
+    changed.push_back(t);
   }
   return true;
 }
 
 void MeshEditor::enlist(std::uint32_t triangle) {
   for_cells(box_of(mesh_, mesh_.triangles[triangle]), cell_, [&](std::uint64_t key) {
-    auto& listed = triangles_in_.at(key);
-    if (std::find(listed.begin(), listed.end(), triangle) == listed.end()) listed.push_back(triangle);
+    triangles_in_.at(key).push_back(triangle);
     return true;
   });
   for (const std::uint32_t vertex : mesh_.triangles[triangle])
     if (fan_of_[vertex] != no_fan) fans_[fan_of_[vertex]].push_back(triangle);
 }
 
-bool MeshEditor::fits(const Triangle& triangle, std::span<const std::uint32_t> old) {
-  if (CGAL::collinear(point_of(mesh_, triangle[0]), point_of(mesh_, triangle[1]), point_of(mesh_, triangle[2])))
-    return false;
+void MeshEditor::strike(std::uint32_t triangle) {
+  for_cells(box_of(mesh_, mesh_.triangles[triangle]), cell_, [&](std::uint64_t key) {
+    if (const auto found = triangles_in_.find(key); found != triangles_in_.end()) std::erase(found->second, triangle);
+    return true;
+  });
+  for (const std::uint32_t vertex : mesh_.triangles[triangle])
+    if (fan_of_[vertex] != no_fan) std::erase(fans_[fan_of_[vertex]], triangle);
+}
+
+bool MeshEditor::fits(Region& region, const Triangle& triangle, std::span<const std::uint32_t> old) const {
+  if (is_degenerate(mesh_.vertices, triangle)) return false;
   const FloatBox box = box_of(mesh_, triangle);
-  near_.clear();
+  if (!contains(region, box, cell_)) return false;
+  std::vector<std::uint32_t>& near = region.near;
+  near.clear();
   const bool all_open = for_cells(box, cell_, [&](std::uint64_t key) {
     const auto found = triangles_in_.find(key);
     if (found == triangles_in_.end()) return false;
-    near_.insert(near_.end(), found->second.begin(), found->second.end());
+    for (const std::uint32_t t : found->second)
+      if (box.meets(box_of(mesh_, mesh_.triangles[t])) && std::find(near.begin(), near.end(), t) == near.end() &&
+          std::find(old.begin(), old.end(), t) == old.end())
+        near.push_back(t);
     return true;
   });
   if (!all_open) return false;
-  std::sort(near_.begin(), near_.end());
-  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   // An edge shared with a triangle that stays must be on the patch's rim: that triangle on one
   // side, the patch on the other.
   const auto shares_inner_edge = [&](const Triangle& other) {
@@ -199,10 +257,9 @@ bool MeshEditor::fits(const Triangle& triangle, std::span<const std::uint32_t> o
              return has(mesh_.triangles[t], common[0]) && has(mesh_.triangles[t], common[1]);
            });
   };
-  return std::none_of(near_.begin(), near_.end(), [&](std::uint32_t t) {
+  return std::none_of(near.begin(), near.end(), [&](std::uint32_t t) {
     const Triangle& other = mesh_.triangles[t];
-    return std::find(old.begin(), old.end(), t) == old.end() && box.meets(box_of(mesh_, other)) &&
-           (shares_inner_edge(other) || overlap(mesh_, triangle, other));
+    return shares_inner_edge(other) || triangles_overlap(mesh_.vertices, triangle, other);
   });
 }
 

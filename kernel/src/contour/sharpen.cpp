@@ -1,162 +1,147 @@
 #include "sharpen.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <unordered_map>
+#include <map>
+#include <tuple>
+#include <unordered_set>
 
 #include "fieldfab/core/parallel.h"
-#include "mesh_editor.h"
-#include "surface_feature.h"
+#include "mender.h"
 
 namespace fieldfab::contouring {
 namespace {
 
-/// A point of the mesh that is off the surface: a vertex, the middle of an edge, or the middle of a
-/// triangle.
-struct Flaw {
-  std::array<std::uint32_t, 3> vertices;
-  int count;  ///< number of vertices: 1, 2 or 3
-  float error;
-  /// Cube of space that contains the flaw; the flaws of one cube are mended together.
-  std::array<std::int32_t, 3> area;
-};
+// Space is divided into areas, cubes of cells of the editor. The flaws of one area are mended one after the other, in
+// the area with a margin of half its side. Areas that are even or odd along the same axes are two sides apart, so that
+// their margins do not meet, and are mended at the same time.
+constexpr double cell_side = 4;              // in voxels
+constexpr std::int64_t smallest_area = 4;    // in cells; for a large expression, restriction takes most of the time
+constexpr std::int64_t larger = 4;           // times; where triangles are too long for a small area
+constexpr std::int64_t largest_area = 4096;  // longer triangles are left to the end, to one thread
+constexpr std::size_t kinds_of_area = 8;
 
-/// Distance of triangles from the surface.
-struct Misfit {
-  float farthest = 0;  ///< mm
-  float squares = 0;   ///< squared distance, summed over area
-  [[nodiscard]] bool closer_than(const Misfit& other) const { return squares <= 0.8F * other.squares; }
-};
+/// The area of a flaw: first whether it is odd along each axis, then its place.
+using Area = std::array<std::int64_t, 4>;
 
-/// A patch to be replaced by a fan around one vertex.
-struct Star {
-  std::uint32_t vertex;
-  std::vector<std::uint32_t> old;  ///< triangles of the patch
-  /// Edges around the patch, each in the direction of the triangle inside.
-  std::vector<std::array<std::uint32_t, 2>> rim;
-};
+Area area_of(const Flaw& flaw, std::int64_t side) {
+  Area area{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    area[i + 1] = flaw.cell[i] / side - (flaw.cell[i] % side < 0 ? 1 : 0);
+    area[0] |= (area[i + 1] & 1) << i;
+  }
+  return area;
+}
 
-// Search radii for features, in voxels. A wedge of 30 degrees that is thinner than a voxel
-// continues for two.
-constexpr std::array near_reaches{0.25F, 0.5F, 1.0F};
-constexpr std::array far_reaches{2.0F};
-constexpr float area_side = 16;  // in voxels; for a large expression, restriction takes most of the time
+MeshEditor::Region region_of(const Area& area, std::int64_t side) {
+  MeshEditor::Region region;
+  for (std::size_t i = 0; i < 3; ++i) {
+    region.lower[i] = area[i + 1] * side - side / 2;
+    region.upper[i] = (area[i + 1] + 1) * side + side / 2;
+  }
+  return region;
+}
 
 class Sharpener {
  public:
   Sharpener(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased,
             TriangleMesh& mesh, Progress& progress)
-      : solid_(solid),
-        voxel_(static_cast<float>(voxel)),
-        tolerance_(static_cast<float>(tolerance)),
-        mesh_(mesh),
-        progress_(progress),
-        editor_(mesh, creased, 3 * voxel),
+      : progress_(progress),
+        editor_(mesh, creased, cell_side * voxel, 3 * voxel),
+        draft_{solid, static_cast<float>(voxel), static_cast<float>(tolerance), mesh, editor_, true, {}},
         open_(creased.begin(), creased.end()) {}
 
   void run() {
     constexpr int rounds = 6;
     for (int round = 0; round < rounds && !open_.empty(); ++round) {
-      features_only_ = round < rounds / 2;
-      if (round == rounds / 2) attempts_.clear();
-      const std::vector<Flaw> flaws = find_flaws();
+      if (round == rounds / 2) {
+        draft_.features_only = false;
+        tried_.clear();
+        examined_.clear();
+      }
+      examined_.resize(draft_.mesh.triangles.size(), 0);
+      if (round > 0) open_around();
+      std::vector<Flaw> flaws = find_flaws();
       open_.clear();
-      for (std::size_t i = 0; i < flaws.size(); ++i) {
-        if (i % 16 == 0) {
-          const double done = round + static_cast<double>(i) / static_cast<double>(flaws.size());
-          progress_.report(0.95 + 0.05 * done / rounds, "sharpening edges");
+      done_ = 0;
+      for (auto first = flaws.begin(); first != flaws.end();) {
+        const auto last =
+            std::find_if(first, flaws.end(), [&](const Flaw& flaw) { return flaw.count != first->count; });
+        mend({first, last}, [&] {
+          progress_.report(
+              0.95 + 0.05 * (round + static_cast<double>(done_) / static_cast<double>(flaws.size())) / rounds,
+              "sharpening edges");
           progress_.check();
-        }
-        mend(flaws[i]);
+        });
+        first = last;
       }
     }
+    editor_.finish();
   }
 
  private:
-  [[nodiscard]] Eigen::Vector3f at(std::uint32_t vertex) const {
-    return Eigen::Vector3f(mesh_.vertices[vertex].data());
-  }
-  [[nodiscard]] Eigen::Vector3f middle(const Flaw& flaw) const {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (int i = 0; i < flaw.count; ++i) sum += at(flaw.vertices[static_cast<std::size_t>(i)]);
-    return sum / static_cast<float>(flaw.count);
+  /// Opens the triangles beside those that have changed, unless they were examined.
+  void open_around() {
+    for (const std::uint32_t t : open_) examined_[t] = 0;
+    std::vector<std::uint32_t> around;
+    for (const std::uint32_t t : open_)
+      for (const std::uint32_t vertex : draft_.mesh.triangles[t])
+        for (const std::uint32_t beside : editor_.fan(vertex))
+          if (examined_[beside] == 0) around.push_back(beside);
+    open_ = std::move(around);
   }
 
   /// Returns the vertices, edges and triangles of the open triangles that are off by more than the
-  /// tolerance: vertices first, then edges, then triangles; in each area the largest error first.
+  /// tolerance: vertices first, then edges, then triangles; the largest error first.
   std::vector<Flaw> find_flaws() {
     std::vector<Flaw> places;
     std::sort(open_.begin(), open_.end());
     open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
     for (const std::uint32_t t : open_) {
-      const Triangle& v = mesh_.triangles[t];
-      places.push_back({v, 3, 0, {}});
+      examined_[t] = 1;
+      const Triangle& v = draft_.mesh.triangles[t];
+      add(places, v, 3);
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t a = v[i], b = v[(i + 1) % 3];
-        places.push_back({{a, 0, 0}, 1, 0, {}});
-        places.push_back({{std::min(a, b), std::max(a, b), 0}, 2, 0, {}});
+        add(places, {a, 0, 0}, 1);
+        add(places, {std::min(a, b), std::max(a, b), 0}, 2);
       }
     }
-    const auto order = [](const Flaw& one, const Flaw& other) {
-      return one.count != other.count ? one.count < other.count : one.vertices < other.vertices;
-    };
-    std::sort(places.begin(), places.end(), order);
-    places.erase(
-        std::unique(places.begin(), places.end(),
-                    [&](const Flaw& one, const Flaw& other) { return !order(one, other) && !order(other, one); }),
-        places.end());
+    const auto key = [](const Flaw& flaw) { return std::tie(flaw.cell, flaw.count, flaw.vertices); };
+    std::sort(places.begin(), places.end(), [&](const Flaw& one, const Flaw& other) { return key(one) < key(other); });
+    places.erase(std::unique(places.begin(), places.end(),
+                             [&](const Flaw& one, const Flaw& other) { return key(one) == key(other); }),
+                 places.end());
+    std::erase_if(places, [&](const Flaw& flaw) { return tried_.contains(key_of(flaw)); });
 
-    constexpr std::size_t chunk = 256;  // close to each other, since their numbers are
+    constexpr std::size_t chunk = 256;  // close to each other, since they are sorted by cells
     parallel_for((places.size() + chunk - 1) / chunk, [&](std::size_t part) {
       progress_.check();
       Samples samples;
       const std::size_t first = part * chunk, last = std::min(places.size(), first + chunk);
-      Box box{middle(places[first]).cast<double>(), middle(places[first]).cast<double>()};
+      Box box{draft_.middle(places[first]).cast<double>(), draft_.middle(places[first]).cast<double>()};
       for (std::size_t i = first; i < last; ++i) {
-        samples.add(middle(places[i]));
-        box = united(box, middle(places[i]));
+        const Eigen::Vector3f middle = draft_.middle(places[i]);
+        samples.add(middle);
+        box = {box.lower.cwiseMin(middle.cast<double>()), box.upper.cwiseMax(middle.cast<double>())};
       }
-      samples.ask(*solid_.restricted(box).field);
+      samples.ask(*draft_.solid.restricted(box).field);
       for (std::size_t i = first; i < last; ++i) places[i].error = std::abs(samples.distance(i - first));
     });
-    std::erase_if(places, [&](const Flaw& flaw) { return flaw.error <= tolerance_; });
-    for (Flaw& flaw : places)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        flaw.area[axis] =
-            static_cast<std::int32_t>(std::floor(middle(flaw)[static_cast<Eigen::Index>(axis)] / (area_side * voxel_)));
+    std::erase_if(places, [&](const Flaw& flaw) { return flaw.error <= draft_.tolerance; });
     std::stable_sort(places.begin(), places.end(), [](const Flaw& one, const Flaw& other) {
-      if (one.count != other.count) return one.count < other.count;
-      return one.area != other.area ? one.area < other.area : one.error > other.error;
+      return one.count != other.count ? one.count < other.count : one.error > other.error;
     });
+    draft_.moved.assign(draft_.mesh.vertices.size(), 0);
     return places;
   }
 
-  /// Restricts the solid to an area and its surroundings.
-  void enter(const std::array<std::int32_t, 3>& area) {
-    if (area_field_ && area == area_) return;
-    area_ = area;
-    const double side = static_cast<double>(area_side * voxel_);
-    const Vec3 lower = side * Vec3(area[0], area[1], area[2]);
-    area_box_ = Box{lower, lower + Vec3::Constant(side)}.grown(side / 2);
-    area_field_ = solid_.restricted(area_box_).field;
-  }
-
-  static Box united(const Box& box, const Eigen::Vector3f& point) {
-    return {box.lower.cwiseMin(point.cast<double>()), box.upper.cwiseMax(point.cast<double>())};
-  }
-
-  /// Restricts the solid to everything that mending a flaw may touch: the triangles around it, and
-  /// `reach` voxels around those.
-  void confine(const Flaw& flaw, float reach) {
-    const Vec3 centre = middle(flaw).cast<double>();
-    local_box_ = {centre, centre};
-    for (int i = 0; i < flaw.count; ++i)
-      for (const std::uint32_t t : editor_.fan(flaw.vertices[static_cast<std::size_t>(i)]))
-        for (const std::uint32_t vertex : mesh_.triangles[t]) local_box_ = united(local_box_, at(vertex));
-    local_box_ = local_box_.grown(1.1 * static_cast<double>(reach * voxel_));
-    const bool within = area_box_.contains(local_box_.lower) && area_box_.contains(local_box_.upper);
-    local_ = (within ? *area_field_ : solid_).restricted(local_box_).field;
+  void add(std::vector<Flaw>& places, const Triangle& vertices, int count) const {
+    Flaw place{vertices, count, 0, {}};
+    const Eigen::Vector3f middle = draft_.middle(place);
+    place.cell = editor_.cell_of({middle.x(), middle.y(), middle.z()});
+    places.push_back(place);
   }
 
   static std::uint64_t key_of(const Flaw& flaw) {
@@ -165,254 +150,75 @@ class Sharpener {
     return key;
   }
 
-  void mend(const Flaw& flaw) {
-    enter(flaw.area);
-    local_ = area_field_;
-    if (error_at(middle(flaw)) <= tolerance_) return;  // mended with another
-    constexpr int most_attempts = 1;
-    if (++attempts_[key_of(flaw)] > most_attempts) return;
-    confine(flaw, near_reaches.back());
-    if (flaw.count == 1) {
-      move(flaw);
-    } else if (flaw.count == 2) {
-      if (!flip(flaw)) divide_edge(flaw);
-    } else {
-      divide_triangle(flaw);
-    }
-  }
-
-  void move(const Flaw& flaw) {
-    const std::uint32_t vertex = flaw.vertices[0];
-    const auto fan = editor_.fan(vertex);
-    if (fan.empty()) return;
-    Star star{vertex, {fan.begin(), fan.end()}, {}};
-    for (const std::uint32_t t : fan) {
-      const Triangle& v = mesh_.triangles[t];
-      const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
-      star.rim.push_back({v[(i + 1) % 3], v[(i + 2) % 3]});
-    }
-    place(star, flaw);
-  }
-
-  /// Builds the star's triangles with its vertex on the sharpest feature near the flaw for which
-  /// they are valid.
-  bool place(const Star& star, const Flaw& flaw) {
-    const Eigen::Vector3f centre = middle(flaw);
-    const Position start = mesh_.vertices[star.vertex];
-    const Misfit before = misfit(triangles(star.old));
-    if (place_within(star, centre, before, near_reaches)) return true;
-    mesh_.vertices[star.vertex] = start;
-    confine(flaw, far_reaches.back());
-    if (place_within(star, centre, before, far_reaches)) return true;
-    mesh_.vertices[star.vertex] = start;
-    return false;
-  }
-
-  template <std::size_t count>
-  bool place_within(const Star& star, const Eigen::Vector3f& centre, const Misfit& before,
-                    std::array<float, count> reaches) {
-    for (float& reach : reaches) reach *= voxel_;
-    constexpr int most_tries = 2;
-    int tries = 0;
-    const std::vector<PlacedVertex> features = features_near(*local_, local_box_, centre, reaches, scratch_);
-    for (std::size_t r = 0; r < count && tries < most_tries; ++r) {
-      PlacedVertex target = features[r];
-      const bool sharp = target.directions > 1;
-      if (features_only_ && !sharp) continue;
-      // Found from tangent planes up to `reach` away; a curved crease is located better from nearer
-      // planes.
-      if (sharp) {
-        const std::array closer_by{0.25F * reaches[r]};
-        const PlacedVertex closer =
-            features_near(*local_, local_box_, target.position.cast<float>(), closer_by, scratch_).front();
-        if (closer.directions > 1) target = closer;
-        ++tries;
-      }
-      const Eigen::Vector3f position = target.position.cast<float>();
-      if (!local_box_.contains(target.position)) continue;
-      mesh_.vertices[star.vertex] = {position.x(), position.y(), position.z()};
-      if (span(star, before)) return true;
-    }
-    return false;
-  }
-
-  /// Replaces the star's old triangles by those between its rim and its vertex. If one would be
-  /// folded over, the rim is moved past the triangle beyond; this equals flipping that edge first.
-  bool span(Star star, Misfit before) {
-    const bool on_surface = error_at(at(star.vertex)) < 0.5F * tolerance_;
-    constexpr int greatest_growth = 3;
-    for (int growth = 0; growth <= greatest_growth; ++growth) {
-      std::vector<Triangle> fresh;
-      fresh.reserve(star.rim.size());
-      for (const auto& [a, b] : star.rim) fresh.push_back({a, b, star.vertex});
-      const Misfit after = misfit(fresh);
-      std::vector<std::size_t> folded;
-      for (std::size_t i = 0; i < fresh.size(); ++i)
-        if (!faces_out(i, fresh[i])) folded.push_back(i);
-      if (folded.empty())
-        return (after.closer_than(before) || (on_surface && after.farthest < 1.02F * before.farthest)) &&
-               commit(star.old, fresh);
-      for (const std::size_t i : folded)
-        if (!grow(star, i, before)) return false;
-    }
-    return false;
-  }
-
-  /// Adds the triangle beyond one edge of the rim to the star.
-  bool grow(Star& star, std::size_t edge, Misfit& before) {
-    const auto [a, b] = star.rim[edge];
-    std::array<std::uint32_t, 2> sides{};
-    if (!editor_.sides(a, b, sides)) return false;
-    const auto is_old = [&](std::uint32_t t) {
-      return std::find(star.old.begin(), star.old.end(), t) != star.old.end();
-    };
-    if (is_old(sides[0]) == is_old(sides[1])) return false;
-    const std::uint32_t beyond = is_old(sides[0]) ? sides[1] : sides[0];
-    const std::uint32_t corner = opposite(beyond, a, b);
-    if (std::any_of(star.rim.begin(), star.rim.end(), [&](const auto& other) { return other[0] == corner; }))
-      return false;
-    if (!local_box_.contains(at(corner).cast<double>())) return false;
-    const Misfit added = misfit({&mesh_.triangles[beyond], 1});
-    before = {std::max(before.farthest, added.farthest), before.squares + added.squares};
-    star.old.push_back(beyond);
-    star.rim[edge] = {a, corner};
-    star.rim.push_back({corner, b});
-    return true;
-  }
-
-  bool flip(const Flaw& flaw) {
-    Diamond diamond;
-    if (!find_diamond(flaw, diamond)) return false;
-    const auto [old, from, to, one, other] = diamond;
-    const Misfit before = misfit(triangles(old));
-    const std::array<Triangle, 2> fresh{{{one, other, to}, {other, one, from}}};
-    return misfit(fresh).closer_than(before) && faces_out(0, fresh[0]) && faces_out(1, fresh[1]) && commit(old, fresh);
-  }
-
-  void divide_edge(const Flaw& flaw) {
-    Diamond diamond;
-    if (!find_diamond(flaw, diamond)) return;
-    const auto [old, from, to, one, other] = diamond;
-    divide(flaw, {0, {old[0], old[1]}, {{one, from}, {to, one}, {other, to}, {from, other}}});
-  }
-
-  void divide_triangle(const Flaw& flaw) {
-    const auto [a, b, c] = flaw.vertices;
-    for (const std::uint32_t t : editor_.fan(a)) {
-      if (mesh_.triangles[t] != flaw.vertices) continue;
-      divide(flaw, {0, {t}, {{a, b}, {b, c}, {c, a}}});
-      return;
-    }
-  }
-
-  /// Gives the star a new vertex on the feature that the flaw misses.
-  void divide(const Flaw& flaw, Star star) {
-    const Eigen::Vector3f centre = middle(flaw);
-    star.vertex = static_cast<std::uint32_t>(mesh_.vertices.size());
-    mesh_.vertices.push_back({centre.x(), centre.y(), centre.z()});
-    if (!place(star, flaw)) mesh_.vertices.pop_back();
-  }
-
-  /// The two triangles at an edge.
-  struct Diamond {
-    std::array<std::uint32_t, 2> sides;
-    std::uint32_t from, to;    ///< the edge, in the direction of the first triangle
-    std::uint32_t one, other;  ///< the opposite vertices
+  /// Flaws of one area, in order.
+  struct Task {
+    MeshEditor::Region region;
+    std::vector<const Flaw*> flaws;
+    std::vector<char> tried;          ///< by flaw
+    std::vector<std::uint32_t> made;  ///< triangles
   };
-  bool find_diamond(const Flaw& edge, Diamond& diamond) const {
-    const auto [a, b, unused] = edge.vertices;
-    if (!editor_.sides(a, b, diamond.sides)) return false;
-    diamond.one = opposite(diamond.sides[0], a, b);
-    diamond.other = opposite(diamond.sides[1], a, b);
-    const Triangle& first = mesh_.triangles[diamond.sides[0]];
-    const auto i = static_cast<std::size_t>(std::find(first.begin(), first.end(), diamond.one) - first.begin());
-    diamond.from = first[(i + 1) % 3];
-    diamond.to = first[(i + 2) % 3];
-    return diamond.one != diamond.other;
-  }
 
-  [[nodiscard]] std::uint32_t opposite(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const {
-    const Triangle& v = mesh_.triangles[triangle];
-    return *std::find_if(v.begin(), v.end(), [&](std::uint32_t vertex) { return vertex != a && vertex != b; });
-  }
-
-  [[nodiscard]] std::vector<Triangle> triangles(std::span<const std::uint32_t> numbers) const {
-    std::vector<Triangle> found;
-    for (const std::uint32_t t : numbers) found.push_back(mesh_.triangles[t]);
-    return found;
-  }
-
-  void sample(std::span<const Triangle> triangles) {
-    scratch_.clear();
-    for (const Triangle& v : triangles) {
-      const Eigen::Vector3f a = at(v[0]), b = at(v[1]), c = at(v[2]);
-      scratch_.add((a + b + c) / 3.0F);
-      for (const Eigen::Vector3f& p :
-           {a, b, c, Eigen::Vector3f(0.5F * (a + b)), Eigen::Vector3f(0.5F * (b + c)), Eigen::Vector3f(0.5F * (c + a))})
-        scratch_.add(p);
-    }
-    scratch_.ask(*local_);
-  }
-  static constexpr std::size_t samples_a_triangle = 7;
-
-  Misfit misfit(std::span<const Triangle> triangles) {
-    sample(triangles);
-    Misfit misfit;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const Triangle& v = triangles[i];
-      float squares = 0;
-      for (std::size_t j = samples_a_triangle * i; j < samples_a_triangle * (i + 1); ++j) {
-        const float distance = scratch_.distance(j);
-        squares += distance * distance;
-        misfit.farthest = std::max(misfit.farthest, std::abs(distance));
+  /// Mends flaws of one kind in the smallest areas that hold the triangles around them.
+  template <class Report>
+  void mend(std::span<const Flaw> flaws, const Report& report) {
+    std::vector<const Flaw*> left;
+    for (const Flaw& flaw : flaws) left.push_back(&flaw);
+    for (std::int64_t side = smallest_area; side <= largest_area && !left.empty(); side *= larger) {
+      std::map<Area, std::vector<const Flaw*>> areas;
+      for (const Flaw* flaw : left) areas[area_of(*flaw, side)].push_back(flaw);
+      left.clear();
+      auto area = areas.begin();
+      for (std::size_t kind = 0; kind < kinds_of_area; ++kind) {
+        std::vector<Task> tasks;
+        for (; area != areas.end() && static_cast<std::size_t>(area->first[0]) == kind; ++area) {
+          Task task{region_of(area->first, side), {}, {}, {}};
+          for (const Flaw* flaw : area->second) (holds(task.region, *flaw) ? task.flaws : left).push_back(flaw);
+          if (!task.flaws.empty()) tasks.push_back(std::move(task));
+        }
+        carry_out(tasks, true, report);
       }
-      misfit.squares += squares * (at(v[1]) - at(v[0])).cross(at(v[2]) - at(v[0])).norm();
     }
-    return misfit;
+    if (left.empty()) return;
+    std::vector<Task> last(1);
+    last[0] = {MeshEditor::everything(), std::move(left), {}, {}};
+    carry_out(last, false, report);
   }
 
-  float error_at(const Eigen::Vector3f& point) {
-    scratch_.clear();
-    scratch_.add(point);
-    scratch_.ask(*local_);
-    return std::abs(scratch_.distance(0));
-  }
-
-  /// Whether a triangle, number `i` of the last call of misfit(), is neither folded over nor
-  /// degenerate.
-  [[nodiscard]] bool faces_out(std::size_t i, const Triangle& v) const {
-    const Eigen::Vector3f normal = (at(v[1]) - at(v[0])).cross(at(v[2]) - at(v[0]));
-    const float area = normal.norm();
-    if (area < 1e-6F * voxel_ * voxel_) return false;
-    for (std::size_t j = samples_a_triangle * i; j < samples_a_triangle * (i + 1); ++j)
-      if (normal.dot(scratch_.slope(j)) > 0.1F * area * scratch_.slope(j).norm()) return true;
-    return false;
-  }
-
-  bool commit(std::span<const std::uint32_t> old, std::span<const Triangle> fresh) {
-    if (!editor_.replace(old, fresh)) return false;
-    for (const Triangle& triangle : fresh)
-      for (const std::uint32_t vertex : triangle) {
-        const auto fan = editor_.fan(vertex);
-        open_.insert(open_.end(), fan.begin(), fan.end());
-      }
+  [[nodiscard]] bool holds(const MeshEditor::Region& region, const Flaw& flaw) const {
+    for (int i = 0; i < flaw.count; ++i)
+      if (!editor_.holds_fan(region, flaw.vertices[static_cast<std::size_t>(i)])) return false;
     return true;
   }
 
-  const Field& solid_;
-  const float voxel_, tolerance_;
-  TriangleMesh& mesh_;
+  /// Carries out tasks whose regions have no cell in common.
+  template <class Report>
+  void carry_out(std::vector<Task>& tasks, bool confined, const Report& report) {
+    for (Task& task : tasks) editor_.supply(task.region, task.flaws.front()->count > 1 ? task.flaws.size() : 0);
+    draft_.moved.resize(draft_.mesh.vertices.size(), 0);
+    parallel_for(tasks.size(), [&](std::size_t i) {
+      Task& task = tasks[i];
+      Mender mender(draft_, task.region, confined);
+      for (const Flaw* flaw : task.flaws) {
+        if (done_++ % 16 == 0) report();
+        task.tried.push_back(mender.mend(*flaw) ? 1 : 0);
+      }
+      task.made = std::move(mender.made);
+    });
+    for (Task& task : tasks) {
+      editor_.take_back(task.region);
+      open_.insert(open_.end(), task.made.begin(), task.made.end());
+      for (std::size_t i = 0; i < task.flaws.size(); ++i)
+        if (task.tried[i] != 0) tried_.insert(key_of(*task.flaws[i]));
+    }
+  }
+
   Progress& progress_;
   MeshEditor editor_;
-  std::vector<std::uint32_t> open_;  ///< triangles still to be examined
-  FieldPtr local_;                   ///< the solid inside `local_box_`, the neighbourhood() of the current flaw
-  Box local_box_;
-  std::array<std::int32_t, 3> area_{};  ///< the area that was entered last
-  Box area_box_;
-  FieldPtr area_field_;
-  std::unordered_map<std::uint64_t, int> attempts_;  ///< by flaw: number of failures, so that it is not tried forever
-  bool features_only_ = true;                        ///< smooth surfaces near a crease wait until it is done
-  Samples scratch_;
+  Draft draft_;
+  std::vector<std::uint32_t> open_;          ///< triangles still to be examined
+  std::vector<char> examined_;               ///< by triangle: whether it was, since it was made
+  std::unordered_set<std::uint64_t> tried_;  ///< flaws, so that none is tried forever
+  std::atomic<std::size_t> done_ = 0;        ///< flaws of this round
 };
 
 }  // namespace

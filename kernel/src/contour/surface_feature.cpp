@@ -15,23 +15,29 @@ float Samples::distance(std::size_t i) const {
   return std::isfinite(distance) ? distance : 0.0F;
 }
 
-std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre,
-                                        std::span<const float> reaches, Samples& scratch) {
+float FeatureSearch::least_cosine() const {
+  float least = 1;
+  for (const SurfacePoint& point : found) least = std::min(least, point.normal.dot(found.front().normal));
+  return least;
+}
+
+std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre, float unit,
+                                        std::span<const float> reaches, FeatureSearch& search) {
   constexpr std::size_t directions = 27;
-  Samples& around = scratch;
+  Samples& around = search.around;
   around.clear();
-  for (const float reach : reaches)
+  for (const float units : reaches)
     for (int i = 0; i < static_cast<int>(directions); ++i) {
       Eigen::Vector3f direction = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<float>();
       if (!direction.isZero(0)) direction.normalize();
-      around.add(centre + reach * direction);
+      around.add(centre + units * unit * direction);
     }
   constexpr int newton_steps = 3;
   around.ask(solid);
   for (int step = 0; step < newton_steps; ++step) {
     bool settled = true;
     for (std::size_t i = 0; i < around.size(); ++i) {
-      const float reach = reaches[i / directions], length = around.slope(i).norm();
+      const float reach = unit * reaches[i / directions], length = around.slope(i).norm();
       settled = settled && std::abs(around.distance(i)) < 1e-4F * reach;
       if (length > 0 && std::isfinite(length))
         around.step(i, -std::clamp(around.distance(i), -reach, reach) / length * around.slope(i));
@@ -40,10 +46,10 @@ std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, co
     around.ask(solid);
   }
   std::vector<PlacedVertex> features;
-  std::vector<SurfacePoint> found;
+  std::vector<SurfacePoint>& found = search.found;
   const Vec3 middle = centre.cast<double>();
   for (std::size_t r = 0; r < reaches.size(); ++r) {
-    const float reach = reaches[r];
+    const float reach = unit * reaches[r];
     found.clear();
     for (std::size_t i = directions * r; i < directions * (r + 1); ++i) {
       const float length = around.slope(i).norm();

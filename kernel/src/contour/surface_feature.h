@@ -28,11 +28,20 @@ class Samples {
   std::vector<float> x_, y_, z_, value_, dx_, dy_, dz_;
 };
 
-/// Returns the sharpest feature of the solid within each of `reaches` mm of `centre`. Searches the
-/// surface in all directions around the centre; the tangent planes found decide between a corner,
-/// an edge and one smooth surface. Only points in `known`, in which the Field may be evaluated,
-/// count. `scratch` is working memory.
-std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre,
-                                        std::span<const float> reaches, Samples& scratch);
+/// Working memory of features_near().
+struct FeatureSearch {
+  Samples around;
+  std::vector<SurfacePoint> found;  ///< within the last reach
+
+  /// Returns the cosine of the greatest angle between the first normal found and another.
+  [[nodiscard]] float least_cosine() const;
+};
+
+/// Returns the sharpest feature of the solid within each of `reaches`, in units of `unit` mm, of
+/// `centre`. Searches the surface in all directions around the centre; the tangent planes found
+/// decide between a corner, an edge and one smooth surface. Only points in `known`, in which the
+/// Field may be evaluated, count.
+std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre, float unit,
+                                        std::span<const float> reaches, FeatureSearch& search);
 
 }  // namespace fieldfab::contouring

@@ -19,6 +19,8 @@ constexpr std::size_t most_text = 256'000'000;  // bytes of the answer
 
 }  // namespace
 
+std::string python_program() { return FIELDFAB_PYTHON; }
+
 std::vector<std::string> python_environment() {
   std::vector<std::string> all;
   std::string path;
@@ -27,13 +29,13 @@ std::vector<std::string> python_environment() {
       path = *entry + 11;
     else
       all.emplace_back(*entry);
-  // The module of this build, or of the folder of the installation; Debian's Python finds its own
-  // modules itself.
+  // The module of this build, or of the folder of the installation; Debian's Python finds its own modules itself. pip
+  // puts the command into the module's folder.
   std::error_code ignored;
   const std::filesystem::path prefix =
       std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
-  for (const char* folder : {"python", "lib/python3/dist-packages"}) {
-    const std::filesystem::path modules = prefix / folder;
+  for (const char* folder : {"python", "lib/python3/dist-packages", ".."}) {
+    const std::filesystem::path modules = (prefix / folder).lexically_normal();
     if (prefix != "/usr" && std::filesystem::exists(modules / "fieldfab", ignored))
       path = modules.string() + (path.empty() ? "" : ":" + path);
   }
@@ -43,7 +45,7 @@ std::vector<std::string> python_environment() {
 
 std::string run_script(const std::filesystem::path& path, Progress& progress) {
   require_regular_file(path);
-  Child child({.words = {"/usr/bin/python3", "-m", "fieldfab.script", path.string()},
+  Child child({.words = {python_program(), "-m", "fieldfab.script", path.string()},
                .environment = python_environment(),
                .memory = available_memory() / 2});
   const auto started = std::chrono::steady_clock::now();

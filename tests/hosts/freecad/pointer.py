@@ -5,6 +5,8 @@ import subprocess
 from window import live
 
 from fieldfab_workbench.shim import QtCore
+from fieldfab_workbench.views import handles
+from fieldfab_workbench.views.part_view import PartView
 
 
 def _at(widget, place=None):
@@ -34,6 +36,16 @@ def drag(widget, begin, end, steps=8):
     for step in range(1, steps + 1):
         _xdotool("mousemove", *_at(widget, begin + (end - begin) * step / steps))
     _xdotool("mouseup", "1")
+
+
+def drag_arrow(document, arrows, number, by):
+    """Drags one of a panel's arrows (views.handles.Handles) by `by` mm along its way."""
+    handle, view = arrows.arrows[number][0], PartView(document)
+    place, widget = handle.start() + handle.along * (handle.read() + handles.GRIP * arrows.size), view.widget()
+    scale = view.view.getSize()[0] / widget.width()  # screen pixels per Qt pixel
+    ends = [view.pixel_of(place + handle.along * way) for way in (0, by)]
+    drag(widget, *(QtCore.QPoint(round(x / scale), round(widget.height() - y / scale)) for x, y in ends))
+    live(0.4)
 
 
 def type_text(text):

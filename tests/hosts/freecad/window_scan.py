@@ -10,6 +10,7 @@ import FreeCADGui
 import numpy as np
 import pytest
 import window
+from pointer import drag_arrow
 from window import Heartbeat, clock, live, press, wait
 
 from fieldfab_workbench import files, kernel, scans
@@ -87,6 +88,30 @@ def test_from_import_to_solid(document, opened):
     window.shot("scan_solid")
     document.undo()
     assert not document.Objects
+
+
+def test_the_crop_is_dragged(document, opened):
+    panel = brought(opened, document, CT / "cthead")
+    assert panel.handles is None
+    panel.cropping.setChecked(True)
+    wait(panel.work.idle)
+    FreeCADGui.ActiveDocument.ActiveView.viewFront()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    FreeCADGui.ActiveDocument.ActiveView.getCameraNode().height = 500
+    live(0.3)
+    spacing = panel.overview.volume.spacing
+    drag_arrow(document, panel.handles, 3, -100)
+    assert panel.crop[3].value() == pytest.approx(255 - 100 / spacing[0], abs=8)
+    drag_arrow(document, panel.handles, 2, -50)
+    assert panel.crop[2].value() == pytest.approx(50 / spacing[2], abs=8)
+    drag_arrow(document, panel.handles, 0, -400)
+    assert panel.crop[0].value() == panel.crop[3].value() - 1, "the crop keeps two samples"
+    wait(panel.work.idle)
+    window.shot("scan_crop_dragged")
+    panel.cropping.setChecked(False)
+    live(0.1)
+    assert panel.handles is None
+    press(Button.Cancel)
 
 
 def test_the_window_answers_while_a_scan_is_read_and_its_threshold_dragged(document, opened):

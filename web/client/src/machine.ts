@@ -301,8 +301,9 @@ export class MachineView {
   private async show(done: Job, simulated: boolean): Promise<void> {
     const told = done.result!;
     const address = (name: string): string => `/api/jobs/${done.job}/files/${encodeURIComponent(name)}`;
-    const link = (name: string, words: string, saved = ""): HTMLElement => element("a",
-      { href: address(name), ...(saved ? { download: saved } : { target: "_blank", rel: "noopener" }) }, words);
+    const link = (name: string, words: string, saved = ""): HTMLElement => element("a", saved
+      ? { href: `${address(name)}?name=${encodeURIComponent(saved)}`, download: saved }
+      : { href: address(name), target: "_blank", rel: "noopener" }, words);
     const stem = this.store.name.replace(/\.job$/, "");
     const rows = told.reports.map((each) => element("tr", {}, element("td", {}, each.name),
       element("td", {}, `${Math.round(each.cut)} mm`), element("td", {}, time(each.seconds))));

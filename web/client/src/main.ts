@@ -1,8 +1,10 @@
 // The page: one document, its views, and the actions of the buttons.
 import { by, element, pressed } from "./elements";
+import { flushHistory, forgetHistory, type History, historyOf, keepHistory } from "./history";
+import { Handles } from "./handles";
 import { MachineView } from "./machine";
 import { Picture } from "./picture";
-import { lookAt, textOfScan, upload } from "./scan";
+import { asOne, lookAt, textOfScan, upload } from "./scan";
 import { ask, Connection, type LibraryFunction, post, Refusal } from "./server";
 import { emptySheet, writeSheet } from "./sheet";
 import { SheetView } from "./sheet_view";
@@ -12,7 +14,7 @@ import { knowWords, TextView } from "./text_view";
 const MOST_TEXT = 1_000_000;
 const connection = new Connection(), store = new Store();
 const picture = new Picture(by("picture"), connection, "main"), above = new Picture(by("sheet"), connection, "sheet");
-const machine = new MachineView(), text = new TextView(), sheet = new SheetView(above);
+const handles = new Handles(picture), machine = new MachineView(), text = new TextView(), sheet = new SheetView(above);
 let kind: "" | "text" | "sheet" = "", made = "";
 
 // Themes
@@ -51,16 +53,28 @@ function tell(mistakes: Parameters<TextView["mark"]>[0], message: string | null)
   by("picture").classList.toggle("stale", message !== null);
 }
 
-picture.onParameters = (answer) => { if (kind === "text") text.follow(answer.parameters!); };
+picture.onParameters = (answer) => {
+  if (kind !== "text") return;
+  text.follow(answer.parameters!);
+  handles.follow(text.known);
+};
+handles.onMove = (values) => text.set(values);
 picture.onError = (answer) => tell(answer?.mistakes ?? [], answer?.message ?? null);
 picture.onPicture = (answer) => {
   if (answer.flat === undefined) return;
   by("right").classList.toggle("flat", answer.flat);
   machine.flat = answer.flat;
 };
-text.onChange = (now) => { store.change(now); show(now); };
+text.onChange = (now) => {
+  store.change(now);
+  keepHistory(store.name, () => text.history());
+  show(now);
+};
 sheet.onText = show;
-sheet.onChange = (document) => store.change(document);
+sheet.onChange = (document) => {
+  store.change(document);
+  keepHistory(store.name, () => sheet.history());
+};
 
 /** Shows the machine's panels in place of the document, or hides them. */
 function showMachine(on: boolean): void {
@@ -97,7 +111,13 @@ connection.onState = (isOpen) => {
     : "The server is away. Your changes are kept in this browser; the picture follows when it is back.";
 };
 
-function display(name: string, content: string): void {
+function notice(words: string): void {
+  by("notice").hidden = !words;
+  by("notice-words").textContent = words;
+}
+by("close-notice").onclick = () => notice("");
+
+function display(name: string, content: string, kept: History | null = null): void {
   const isSheet = languageOf(name) === "json";
   kind = isSheet ? "sheet" : "text";
   by("text-view").hidden = isSheet;
@@ -108,6 +128,7 @@ function display(name: string, content: string): void {
   picture.measure(false);
   pressed(by("measure"), false);
   picture.show(null);
+  handles.follow([]);
   above.show(null);
   picture.fit();
   document.body.classList.add("has-document");
@@ -115,7 +136,7 @@ function display(name: string, content: string): void {
   if (isSheet) {
     showText(false);
     try {
-      sheet.open(content);
+      sheet.open(content, kept);
     } catch (error) {
       kind = "text";  // shown unchanged, never written
       by("text-view").hidden = false;
@@ -125,14 +146,18 @@ function display(name: string, content: string): void {
       text.mark([], (error as Error).message);
     }
   } else {
-    text.open(content, languageOf(name));
+    text.open(content, languageOf(name), kept);
     show(content);
   }
 }
 
 async function open(name: string): Promise<void> {
   try {
-    display(name, await store.open(name));
+    flushHistory();
+    const content = await store.open(name), kept = await historyOf(name);
+    display(name, content, kept);
+    notice(kept && store.changedElsewhere
+      ? `“${name}” was changed elsewhere: this is the newer version. Undo leads back to this browser's.` : "");
     by<HTMLDialogElement>("gallery").close();
   } catch (error) {
     alert(error instanceof Refusal ? error.message : "The server is away");
@@ -145,8 +170,10 @@ async function create(wanted: string, content: string): Promise<void> {
   const [, stem, end] = /^(.*?)(\.\w+)$/.exec(wanted)!;
   let name = wanted;
   for (let i = 2; taken.has(name); ++i) name = `${stem} ${i}${end}`;
-  await store.create(name, content);
+  flushHistory();
+  await Promise.all([store.create(name, content), forgetHistory(name)]);
   display(name, content);
+  notice("");
   by<HTMLDialogElement>("gallery").close();
 }
 
@@ -222,17 +249,23 @@ by("new-sheet").onclick = () => void create("sheet.json", writeSheet(emptySheet(
 
 by("new-scan").onclick = () => by("scan-file").click();
 by<HTMLInputElement>("scan-file").onchange = async () => {
-  const input = by<HTMLInputElement>("scan-file"), button = by<HTMLButtonElement>("new-scan"), file = input.files?.[0];
-  if (!file) return;
+  const input = by<HTMLInputElement>("scan-file"), button = by<HTMLButtonElement>("new-scan");
+  const files = [...input.files ?? []];
+  if (!files.length) return;
   button.disabled = true;
   try {
-    await upload(file, (share) => { button.textContent = `${Math.round(100 * share)} %`; })
-      .catch((error) => {
-        if (!(error instanceof Refusal && error.kind === "changed" && confirm(`${error.message}. Take that one?`)))
-          throw error;
-      });
+    const { name: given, data } = await asOne(files, (share) => {
+      button.textContent = `Packing ${Math.round(100 * share)} %`;
+    });
+    const { name, note } = await upload(given, data, (share) => {
+      button.textContent = share < 1 ? `${Math.round(100 * share)} %` : "Reading …";
+    }).catch((error) => {
+      const there = /^there is a scan '(.+)' already$/.exec(error.message)?.[1];
+      if (!there || !confirm(`${error.message}. Take that one?`)) throw error;
+      return { name: there, note: "" };
+    });
     button.textContent = "Reading …";
-    await create(file.name.replace(/(\.nii)?\.\w+$/, "") + ".frep", textOfScan(file.name, await lookAt(file.name)));
+    await create(name.replace(/(\.nii)?\.\w+$/, "") + ".frep", textOfScan(name, await lookAt(name), note));
   } catch (error) {
     alert(error instanceof Refusal ? error.message : "The server is away");
   } finally {
@@ -268,12 +301,12 @@ by("share").onclick = async () => {
 };
 
 async function begin(): Promise<void> {
-  const { functions, words }: { functions: LibraryFunction[]; words: { kind: string; name: string }[] } =
-    await (await ask("/api/library")).json();
+  const known: Promise<[{ functions: LibraryFunction[]; words: { name: string }[] }, { formats: string[] }]> =
+    Promise.all(["/api/library", "/api/documents"].map(async (each) => (await ask(each)).json())) as never;
+  const [{ functions, words }, { formats }] = await known;
   knowWords(words.map((each) => each.name));
   sheet.know(functions);
-  const { formats } = await (await ask("/api/documents")).json();
-  by("download").append(...(formats as string[]).map((each) => element("option", { value: each }, each.slice(1))));
+  by("download").append(...formats.map((each) => element("option", { value: each }, each.slice(1))));
   const hash = location.hash.slice(1);
   if (hash.startsWith("share=")) {
     try {
@@ -302,8 +335,8 @@ by<HTMLSelectElement>("download").onchange = async () => {
       job = await (await ask(`/api/jobs/${job.job}?state=${job.state}&progress=${job.progress}`)).json();
     }
     if (job.state !== "done") throw new Refusal(422, job.state, job.error?.message ?? "It was cancelled");
-    const link = element("a",
-      { href: `/api/jobs/${job.job}/file`, download: store.name.replace(/\.\w+$/, "") + extension });
+    const download = store.name.replace(/\.\w+$/, "") + extension;
+    const link = element("a", { href: `/api/jobs/${job.job}/file?name=${encodeURIComponent(download)}`, download });
     link.click();
     if (job.result?.certain === false) alert("The file is written. It may lack parts that are thinner than its cells.");
   } catch (error) {
@@ -326,6 +359,7 @@ by("fit-sheet").onclick = () => sheet.fit();
 by<HTMLSelectElement>("mode").onchange = () => {
   const was = picture.twoD;
   picture.camera.mode = by<HTMLSelectElement>("mode").value;
+  section();
   if (was !== picture.twoD) picture.fit();
   else picture.ask();
 };
@@ -336,6 +370,7 @@ function toggle(id: string, now: boolean, act: (on: boolean) => void): void {
 function isOn(id: string): boolean { return by(id).getAttribute("aria-pressed") === "true"; }
 by("perspective").onclick = () => toggle("perspective", !isOn("perspective"), (on) => {
   picture.camera.perspective = on ? 0.6 : 0;
+  handles.place();
   picture.ask();
 });
 by("measure").onclick = () => toggle("measure", !isOn("measure"), (on) => picture.measure(on));
@@ -343,10 +378,12 @@ function section(): void {
   const axis = by<HTMLSelectElement>("section").value;
   const bar = by<HTMLInputElement>("section-at");
   const i = "xyz".indexOf(axis);
-  const { bounds } = picture;
-  bar.hidden = !axis;
+  const { bounds } = picture, share = Number(bar.value) / 1000;
+  const slice = picture.camera.mode === "bitmap" && !picture.flat;
+  bar.hidden = !axis && !slice;
+  picture.camera.z = slice && bounds ? bounds[2] + (bounds[5] - bounds[2]) * share : 0;
   picture.camera.section = axis && bounds
-    ? { axis, at: bounds[i] + (bounds[i + 3] - bounds[i]) * Number(bar.value) / 1000,
+    ? { axis, at: bounds[i] + (bounds[i + 3] - bounds[i]) * share,
       keep: axis === "y" ? "above" : "below" }
     : null;
   picture.ask();
@@ -407,7 +444,8 @@ divider.onkeydown = (event) => {
 
 if (!localStorage.getItem("fabserver hint")) {
   const hint = element("div", { id: "hint" },
-    "Drag turns, the wheel zooms to the pointer, right drag moves. F shows all.");
+    matchMedia("(pointer: coarse)").matches ? "One finger turns, two move and zoom. Fit shows all."
+      : "Drag turns, the wheel zooms to the pointer, right drag moves. F shows all.");
   const close = element("button", { ariaLabel: "Close the hint" }, "✕");
   close.onclick = () => { localStorage.setItem("fabserver hint", "seen"); hint.remove(); };
   hint.append(close);

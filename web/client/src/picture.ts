@@ -6,12 +6,14 @@ import { element, short } from "./elements";
 export interface Model { text: string; language: string }
 export interface Camera {
   alpha: number; beta: number; perspective: number; mode: string;
-  section: { axis: string; at: number; keep: string } | null
+  section: { axis: string; at: number; keep: string } | null;
+  z: number  // of slices
 }
 
 type Point = [number, number, number];
 
 const MOST_PIXELS = 3_900_000;
+const AGAIN = 1000; // ms until a picture is asked for again that the server was too busy for
 
 export function turned([x, y, z]: Point, { alpha, beta }: { alpha: number; beta: number }): Point {
   const u = Math.cos(alpha) * x - Math.sin(alpha) * y, v = Math.sin(alpha) * x + Math.cos(alpha) * y;
@@ -21,7 +23,8 @@ export function turned([x, y, z]: Point, { alpha, beta }: { alpha: number; beta:
 export class Picture {
   readonly canvas = element("canvas");
   readonly told = element("div", { className: "told" });
-  readonly camera: Camera = { alpha: 0.5, beta: -0.95, perspective: 0, mode: "shaded", section: null };
+  readonly camera: Camera = { alpha: 0.5, beta: -0.95, perspective: 0, mode: "shaded", section: null,
+    z: 0 };
   bounds: Box | null = null;
   flat = false;
   scale = 0; // mm per pixel of the page; 0: unknown, fit the model
@@ -152,7 +155,10 @@ export class Picture {
         this.told.textContent = `${short(this.scale, 3)} mm a pixel · ${Math.round(waited)} ms`;
       this.onError(null);
       this.onPicture(answer);
-    } else if (answer.type === "error") this.onError(answer);
+    } else if (answer.type === "error") {
+      this.onError(answer);
+      if (answer.kind === "busy" && answer.number === this.number) setTimeout(() => this.ask(), AGAIN);
+    }
     if (answer.number === this.number) {
       this.asked = 0;
       if (this.again) this.ask();
@@ -258,9 +264,9 @@ export class Picture {
 
   private async pick(px: number, py: number): Promise<void> {
     try {
-      const { text, language } = this.model!, { alpha, beta, mode, section } = this.camera;
+      const { text, language } = this.model!, { alpha, beta, mode, section, z } = this.camera;
       const found = await post<{ place: Point | null; value: number | null; part: string | null }>(
-        "/api/pick", { text, language, alpha, beta, mode, section, at: this.place(px, py) });
+        "/api/pick", { text, language, alpha, beta, mode, section, z, at: this.place(px, py) });
       if (!found.place) { this.told.textContent = "Nothing is there"; return; }
       if (this.measuring && this.camera.perspective === 0)
         this.measured = [...this.measured.slice(this.measured.length === 2 ? 2 : 0), found.place];
@@ -319,13 +325,14 @@ export class Picture {
     this.touches.set(event.pointerId, [event.clientX, event.clientY]);
     this.host.setPointerCapture(event.pointerId);
     const panning = this.twoD || this.fixed || event.button !== 0 || event.shiftKey;
-    let way = 0;
+    let way = 0, alone = this.touches.size === 1;
     const move = (next: PointerEvent): void => {
       const last = this.touches.get(next.pointerId);
       if (!last) return;
       const dx = next.clientX - last[0], dy = next.clientY - last[1];
       way += Math.abs(dx) + Math.abs(dy);
       if (this.touches.size === 2) {
+        alone = false;
         const other = [...this.touches].find(([id]) => id !== next.pointerId)![1];
         const box = this.host.getBoundingClientRect();
         const before = Math.hypot(last[0] - other[0], last[1] - other[1]);
@@ -344,7 +351,8 @@ export class Picture {
       this.host.removeEventListener("pointerup", up);
       this.host.removeEventListener("pointercancel", up);
       const box = this.host.getBoundingClientRect();
-      if (way < 4 && event.button === 0 && !this.fixed) void this.pick(end.clientX - box.left, end.clientY - box.top);
+      if (alone && way < 4 && event.button === 0 && !this.fixed)
+        void this.pick(end.clientX - box.left, end.clientY - box.top);
     };
     this.host.addEventListener("pointermove", move);
     this.host.addEventListener("pointerup", up);

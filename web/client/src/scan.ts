@@ -1,34 +1,51 @@
 // Scans: their upload, and the histogram of a scan that a text opens with a parameter as its threshold.
 import { by, element, short, svg } from "./elements";
 import { type Parameter, post, Refusal } from "./server";
+import { zip } from "./zip";
 
 export interface Scan {
   size: number[]; spacing: number[]; type: string; counts: number[]; from: number; to: number; halfway: number;
   otsu: number
 }
 
-/** Uploads a file. Throws Refusal, or TypeError if the server cannot be reached. */
-export function upload(file: File, progress: (share: number) => void): Promise<void> {
+/** The files of the picker as one file with a name that the server takes: several ones become an archive. */
+export async function asOne(files: File[], progress: (share: number) => void): Promise<{ name: string; data: Blob }> {
+  const plain = (name: string): string => name.replace(/[^A-Za-z0-9 .+-]/g, "_").replace(/^[^A-Za-z0-9]+/, "");
+  const [first] = files;
+  if (files.length > 1) {
+    const header = files.find((each) => /\.(mhd|nhdr)$/i.test(each.name));
+    const stem = plain((header ?? first).name).replace(/\.\w+$/, "") || "scan";
+    return { name: `${stem.slice(0, 80)}.zip`, data: await zip(files, progress) };
+  }
+  const ending = /\.nii\.gz$|\.[A-Za-z]+$/i.exec(first.name)?.[0] ?? ".dcm";  // files of a CD have no ending
+  const stem = plain(first.name.endsWith(ending) ? first.name.slice(0, -ending.length) : first.name) || "scan";
+  return { name: stem.slice(0, 80) + ending, data: first };
+}
+
+/** Uploads a scan. Returns its name in the folder, and a remark. Throws Refusal, or TypeError if the server cannot be
+ * reached. */
+export function upload(name: string, data: Blob, progress: (share: number) => void):
+    Promise<{ name: string; note: string }> {
   return new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();  // fetch reports no progress
-    request.open("PUT", `/api/scans/${encodeURIComponent(file.name)}`);
-    request.upload.onprogress = (event) => progress(event.loaded / file.size);
+    request.open("PUT", `/api/scans/${encodeURIComponent(name)}`);
+    request.upload.onprogress = (event) => progress(event.loaded / data.size);
     request.onload = () => {
-      if (request.status < 300) return resolve();
+      if (request.status < 300) return resolve(JSON.parse(request.responseText));
       let told = { kind: "http", message: request.statusText };
       try { told = JSON.parse(request.responseText).error; } catch { /* not JSON: a proxy's answer */ }
       reject(new Refusal(request.status, told.kind, told.message));
     };
     request.onerror = () => reject(new TypeError("the server is away"));
-    request.send(file);
+    request.send(data);
   });
 }
 
 export function lookAt(name: string): Promise<Scan> { return post<Scan>("/api/scan", { name }); }
 
-/** Returns the text of a model that shows a scan. */
-export function textOfScan(name: string, scan: Scan): string {
-  return `level = ${short(scan.halfway)}  # ${short(scan.from)} to ${short(scan.to)}, ` +
+/** Returns the text of a model that shows a scan; `note`: a remark about it. */
+export function textOfScan(name: string, scan: Scan, note: string): string {
+  return (note ? `# ${note}\n` : "") + `level = ${short(scan.halfway)}  # ${short(scan.from)} to ${short(scan.to)}, ` +
     "the density that separates the solid from its surroundings\n" +
     `open("${name}", threshold = level)\n`;
 }

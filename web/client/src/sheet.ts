@@ -1,10 +1,16 @@
 // A sheet: a graph of nodes, each a piece of JavaScript at a position in millimetres. Independent of the page.
+import { checkGroups } from "./groups";
+import { MOST } from "./history";
 
 export interface SheetNode {
   id: number; name: string; x: number; y: number; code: string; values: Record<string, number | string>;
-  parents: number[];
+  parents: number[]; group?: number;
 }
-export interface Sheet { format: "fieldfab sheet"; version: 1; snap: number; nodes: SheetNode[]; text: string }
+/** A group of nodes (groups.ts). `group`: the one around it. Its place is that of the closed group's node. */
+export interface Group { id: number; name: string; x: number; y: number; open: boolean; group?: number }
+export interface Sheet {
+  format: "fieldfab sheet"; version: 1; snap: number; nodes: SheetNode[]; groups: Group[]; text: string
+}
 
 /** Result of a node's code. */
 export interface Result {
@@ -15,7 +21,7 @@ export interface Result {
 export const VERSION = 1;
 
 export function emptySheet(): Sheet {
-  return { format: "fieldfab sheet", version: VERSION, snap: 1, nodes: [], text: "" };
+  return { format: "fieldfab sheet", version: VERSION, snap: 1, nodes: [], groups: [], text: "" };
 }
 
 /** Reads a document. Throws Error with a description of the fault. */
@@ -41,6 +47,13 @@ export function readSheet(text: string): Sheet {
   }
   const sheet = { ...emptySheet(), ...given } as Sheet;
   for (const node of sheet.nodes) node.parents = node.parents.filter((id) => ids.has(id));
+  for (const each of sheet.groups) {
+    if (!Number.isInteger(each.id) || ids.has(each.id) || typeof each.name !== "string" ||
+        !Number.isFinite(each.x) || !Number.isFinite(each.y) || typeof each.open !== "boolean")
+      throw new Error("This sheet has a group that is none");
+    ids.add(each.id);
+  }
+  checkGroups(sheet);
   inOrder(sheet);
   return sheet;
 }
@@ -124,6 +137,26 @@ export class Past {
     this.states.length = this.at + (goesOn ? 0 : 1);
     this.states.push(state);
     this.at = this.states.length - 1;
+  }
+
+  get now(): string { return this.states[this.at]; }
+
+  /** Returns the present state and those next to it, within a limit of characters: for storage. */
+  stored(): { states: string[]; at: number } {
+    let first = this.at, last = this.at, size = this.now.length;
+    while (last + 1 < this.states.length && (size += this.states[last + 1].length) <= MOST / 2) ++last;
+    while (first > 0 && (size += this.states[first - 1].length) <= MOST) --first;
+    return { states: this.states.slice(first, last + 1), at: this.at - first };
+  }
+
+  /** Takes stored states. Returns whether they were usable. */
+  take(given: unknown): boolean {
+    const { states, at } = (given ?? {}) as { states?: string[]; at?: number };
+    if (!Array.isArray(states) || !states.every((each) => typeof each === "string") ||
+        !Number.isInteger(at) || states[at!] === undefined) return false;
+    this.states = states;
+    this.at = at!;
+    return true;
   }
 
   undo(): string | null { this.merging = ""; return this.at > 0 ? this.states[--this.at] : null; }

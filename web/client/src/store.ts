@@ -1,5 +1,6 @@
 // The open document. Each change is stored in the browser at once and in its file soon after, so that it survives a
 // crash of either side.
+import { knownVersion, knowVersion } from "./history";
 import { ask, Refusal } from "./server";
 
 interface Draft { text: string; base: string | null }
@@ -7,14 +8,18 @@ interface Draft { text: string; base: string | null }
 const DELAY = 400; // ms from a change to its request
 const AGAIN = 1000; // ms between attempts to reach the server
 
+const GATEWAY = new Set([502, 503, 504]); // a balancer without a server
+
 const draftKey = (name: string): string => `fabserver draft ${name}`;
 
 export class Store {
   name = "";
   text = "";
+  changedElsewhere = false; // whether the opened text is one that this browser neither wrote nor read before
   private version: string | null = null; // of the file; null: no file yet
   private timer = 0;
   private saving = false;
+  private unanswered = new Set<string>(); // texts that were sent without an answer: the file may have them
   onState: (state: "saved" | "saving" | "away" | "conflict" | "refused" | "none", message: string) => void = () => {};
 
   /** Reads a document, or its draft if that was not written to the file. Throws Refusal and TypeError. */
@@ -23,12 +28,16 @@ export class Store {
     const answer = await ask(`/api/documents/${encodeURIComponent(name)}`);
     const text = await answer.text();
     this.name = name;
+    this.unanswered.clear();
     this.version = answer.headers.get("ETag")?.replaceAll('"', "") ?? null;
     this.text = text;
+    this.changedElsewhere = this.version !== (knownVersion(name) ?? this.version);
+    if (this.version) knowVersion(name, this.version);
     const draft = this.draft(name);
     if (draft && draft.text !== text && (draft.base === this.version ||
         confirm(`This browser has changes of “${name}” that are not in its file, ` +
           "which changed meanwhile. Take the browser's?"))) {
+      this.changedElsewhere = false;
       this.change(draft.text);
     } else {
       localStorage.removeItem(draftKey(name));
@@ -41,6 +50,7 @@ export class Store {
   async begin(name: string): Promise<string> {
     await this.flush();
     this.name = name;
+    this.unanswered.clear();
     this.version = null;
     this.text = "";
     const draft = this.draft(name);
@@ -94,6 +104,8 @@ export class Store {
       const { version } = await answer.json();
       if (name === this.name) {
         this.version = version;
+        knowVersion(name, version);
+        this.unanswered.clear();
         if (text === this.text) {
           localStorage.removeItem(draftKey(name));
           this.onState("saved", "");
@@ -103,15 +115,29 @@ export class Store {
       }
     } catch (error) {
       if (error instanceof Refusal && error.kind === "changed") {
-        this.onState("conflict", error.message);
-      } else if (error instanceof Refusal) {
+        if (await this.isOurs(name)) this.timer = window.setTimeout(() => void this.save(force), 0);
+        else this.onState("conflict", error.message);
+      } else if (error instanceof Refusal && !GATEWAY.has(error.status)) {
         this.onState("refused", error.message);
       } else {
+        this.unanswered.add(text);
         this.onState("away", "The server is away: your changes are kept in this browser.");
         this.timer = window.setTimeout(() => void this.save(force), AGAIN);
       }
     } finally {
       this.saving = false;
+    }
+  }
+
+  /** Whether the file has a text of ours whose answer was lost with its server; takes its version then. */
+  private async isOurs(name: string): Promise<boolean> {
+    try {
+      const answer = await ask(`/api/documents/${encodeURIComponent(name)}`);
+      if (name !== this.name || !this.unanswered.delete(await answer.text())) return false;
+      this.version = answer.headers.get("ETag")?.replaceAll('"', "") ?? null;
+      return true;
+    } catch {
+      return false;
     }
   }
 

@@ -1,7 +1,7 @@
 // The .frep text: an editor with completion, marked errors, and sliders for its parameters.
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, type CompletionContext,
   type CompletionResult } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
+import { defaultKeymap, history, historyField, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
 import { javascript } from "@codemirror/lang-javascript";
 import { bracketMatching, HighlightStyle, indentOnInput, StreamLanguage,
   syntaxHighlighting } from "@codemirror/language";
@@ -12,6 +12,7 @@ import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutt
   lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { by, slider } from "./elements";
+import { type History, MOST } from "./history";
 import { Histogram } from "./scan";
 import { type Mistake, type Parameter, post } from "./server";
 
@@ -91,33 +92,62 @@ export class TextView {
 
   constructor() {
     this.editor = new EditorView({ parent: by("editor"), state: this.state("", false) });
-    this.histogram.onLevel = (name, value) => this.slide(this.parameters.findIndex((each) => each.name === name),
-      value);
+    this.histogram.onLevel = (name, value) => this.set({ [name]: value });
   }
 
   private quiet = false;
 
   private state(text: string, plain: boolean): EditorState {
-    return EditorState.create({
-      doc: text,
-      extensions: [
-        ...common((now, byHand) => {
-          if (byHand) this.parameters = [];
-          if (!this.quiet) this.onChange(now);
-        }),
-        ...(plain ? [] : [frep, autocompletion({ override: [complete] })]), lintGutter(),
-      ],
-    });
+    return EditorState.create({ doc: text, extensions: this.extensions(plain) });
   }
 
-  /** Shows another document, with an empty undo history. */
-  open(text: string, language: string): void {
+  private extensions(plain: boolean): Extension[] {
+    return [
+      ...common((now, byHand) => {
+        if (byHand) this.parameters = [];
+        if (!this.quiet) this.onChange(now);
+      }),
+      ...(plain ? [] : [frep, autocompletion({ override: [complete] })]), lintGutter(),
+    ];
+  }
+
+  /** Shows another document. `kept`: its undo history; another text than the history's becomes a step of it. */
+  open(text: string, language: string, kept: History | null = null): void {
     this.parameters = [];
     this.rows = "";
     by("sliders").replaceChildren();
     void this.histogram.follow("", []);
-    this.editor.setState(this.state(text, language !== "frep"));
+    const plain = language !== "frep";
+    this.editor.setState((kept && this.stateOf(kept, plain)) ?? this.state(text, plain));
+    const now = this.editor.state.doc;
+    if (now.toString() === text) return;
+    this.quiet = true;
+    this.editor.dispatch({ changes: { from: 0, to: now.length, insert: text } });
+    this.quiet = false;
   }
+
+  private stateOf(kept: History, plain: boolean): EditorState | null {
+    try {
+      return EditorState.fromJSON(kept.past, { extensions: this.extensions(plain) }, { history: historyField });
+    } catch {
+      return null;  // of another version of the page
+    }
+  }
+
+  /** Returns the undo history for storage, without its oldest steps where it is long. */
+  history(): History {
+    const past = this.editor.state.toJSON({ history: historyField });
+    let size = JSON.stringify(past.history).length;
+    while (size > MOST && past.history.done.length) {
+      past.history.done.splice(0, Math.ceil(past.history.done.length / 2));
+      size = JSON.stringify(past.history).length;
+    }
+    if (size > MOST) past.history.undone = [];
+    return { now: past.doc, past };
+  }
+
+  /** The parameters of the text as it is now. */
+  get known(): Parameter[] { return this.parameters; }
 
   undo(): void { undo(this.editor); }
   redo(): void { redo(this.editor); }
@@ -155,20 +185,24 @@ export class TextView {
     const sliding = by("sliders").contains(document.activeElement);
     if (rows === this.rows && sliding) return;
     this.rows = rows;
-    by("sliders").replaceChildren(...parameters.map((each, i) => slider(
+    by("sliders").replaceChildren(...parameters.map((each) => slider(
       each.name, each.value, each.range ?? [Math.min(0, 2 * each.value), Math.max(0, 2 * each.value) || 1],
-      each.comment, (value) => this.slide(i, value), () => {})));
+      each.comment, (value) => this.set({ [each.name]: value }), () => {})));
   }
 
-  private slide(i: number, value: number): void {
-    const parameter = this.parameters[i];
-    if (!parameter) return;
-    const digits = String(value);
-    this.editor.dispatch({ changes: { from: parameter.offset, to: parameter.offset + parameter.length, insert: digits },
-      userEvent: "slider" });
-    const longer = digits.length - parameter.length;
-    parameter.length = digits.length;
-    for (const each of this.parameters) if (each.offset > parameter.offset) each.offset += longer;
+  /** Writes the values of parameters into the text. */
+  set(values: Record<string, number>): void {
+    const found = this.parameters.filter((each) => each.name in values).sort((a, b) => a.offset - b.offset);
+    if (!found.length) return;
+    const changes = found.map(({ name, offset, length }) =>
+      ({ from: offset, to: offset + length, insert: String(values[name]) }));
+    this.editor.dispatch({ changes, userEvent: "slider" });
+    for (const each of found) {
+      const longer = String(values[each.name]).length - each.length;
+      each.length += longer;
+      each.value = values[each.name];
+      for (const other of this.parameters) if (other.offset > each.offset) other.offset += longer;
+    }
   }
 }
 

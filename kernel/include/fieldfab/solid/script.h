@@ -14,6 +14,9 @@ namespace fieldfab {
 /// after cancellation. The process has ended on return in each case.
 std::string run_script(const std::filesystem::path& path, Progress& progress);
 
+/// The Python program that the fieldfab module of this build is for.
+std::string python_program();
+
 /// Returns this process's environment, changed so that Python imports the fieldfab module of this build. Entries are
 /// NAME=VALUE.
 std::vector<std::string> python_environment();

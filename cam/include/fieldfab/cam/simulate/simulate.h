@@ -17,7 +17,8 @@
 namespace fieldfab::cam {
 
 struct SimulationOptions {
-  bool remember = false;  ///< whether to record the moves for Playback
+  bool remember = false;                 ///< whether to record the moves for Playback
+  StockEdges edges = StockEdges::sharp;  ///< of the remaining stock's mesh
 };
 
 /// The surface of the remaining stock, as Stock::mesh() returns it. With a target, vertices of a flat area are merged

@@ -78,8 +78,15 @@ struct StockStatistics {
   std::uint64_t bytes = 0;
 };
 
+/// What a mesh has where surfaces of two cuts meet, or two facets of one.
+enum class StockEdges : std::uint8_t {
+  sharp,    ///< vertices on the edge and in its corners
+  sampled,  ///< only vertices at samples, which cut edges off by less than a cell: for pictures of a playback
+};
+
 class Brick;
 class StockBytes;
+class StrokeLog;
 class Sweep;
 struct Region;
 
@@ -121,11 +128,14 @@ class Stock {
 
   /// Returns the surface: closed and oriented outward. Axis-aligned flat areas made by one cut are merged: squares of
   /// up to 32 x 32 cells have one vertex. If `cuts` is not null, it receives the number of the cut that made each
-  /// vertex. Throws Error(cancelled), Error(too_large).
-  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr,
-                                  Progress& progress = Progress::none()) const;
+  /// vertex. Edges are sharp where a stroke made at least one side, and the other side is that of a stroke or of
+  /// the Field; not where it comes from a file.
+  /// Throws Error(cancelled), Error(too_large).
+  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr, Progress& progress = Progress::none(),
+                                  StockEdges edges = StockEdges::sharp) const;
 
  private:
+  friend class CutSurfaces;
   friend class SurfacePieces;
   friend class StockBytes;
   Stock(const StockLattice& lattice, const StockSettings& settings);
@@ -143,6 +153,8 @@ class Stock {
   int brick_ = 64;
   Index3 bricks_along_{1, 1, 1};
   std::vector<std::shared_ptr<Brick>> bricks_;
+  FieldPtr first_;                      ///< the solid that the stock was made of; null: its box, or a file
+  std::shared_ptr<StrokeLog> strokes_;  ///< that removed material; null: none
 };
 
 /// Writes a stock without loss (.fieldstock; docs/simulation.md): a stock that is read again is cut to the same bits.
