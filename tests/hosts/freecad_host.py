@@ -69,7 +69,9 @@ def run_inside(home, file, screen=None, timeout=900, **more):
         os.killpg(freecad.pid, signal.SIGKILL)
         said = freecad.communicate()[0].decode(errors="replace")
     left = home / "result.json"
-    assert left.exists(), f"FreeCAD ended with {freecad.returncode} and no result:\n{said[-3000:]}"
+    crash = said.find("Fatal Python error")  # the newest calls come first
+    told = said[crash:crash + 3000] if crash >= 0 else said[-3000:]
+    assert left.exists(), f"FreeCAD ended with {freecad.returncode} and no result:\n{told}"
     result = json.loads(left.read_text())
     print(result["said"])
     assert result["code"] == 0 and " passed" in result["said"] and " skipped" not in result["said"]

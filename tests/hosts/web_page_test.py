@@ -531,7 +531,7 @@ def test_groups_by_menu_rectangle_and_copies(page, folder):
     page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, ".node")) == 1, "a group of groups")
     page.find("#groups option[value=toggle]").click()
     page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, ".node")) == 4, "the outer group, expanded")
-    assert len(json.loads(file.read_text())["groups"]) == 3
+    page.until(lambda: len(json.loads(file.read_text())["groups"]) == 3, "the group of groups, saved")
     page.find("#fit-sheet").click()
     page.shot("web_groups_in_groups")
     host.send_keys(Keys.DELETE)

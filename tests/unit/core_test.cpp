@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 #include "fieldfab/core/disjoint_sets.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/parallel.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/core/text.h"
 
@@ -217,4 +219,27 @@ TEST(DisjointSets, AreKnownByTheirLeastMember) {
 }
 
 }  // namespace
+// The outer loop fails while inner ones are at work: those are complete when they return.
+TEST(ParallelFor, IsCompleteWithinALoopThatFails) {
+  constexpr std::size_t outer = 8, inner = 2000;
+  std::atomic<int> incomplete = 0, returned = 0;
+  for (int round = 0; round < 20; ++round) {
+    const auto fail_beside_others = [&] {
+      parallel_for(outer, [&](std::size_t i) {
+        if (i == outer / 2) throw std::runtime_error("one of them");
+        std::atomic<std::size_t> calls = 0;
+        parallel_for(inner, [&](std::size_t) {
+          std::this_thread::sleep_for(std::chrono::microseconds(1));
+          ++calls;
+        });
+        ++returned;
+        if (calls != inner) ++incomplete;
+      });
+    };
+    EXPECT_THROW(fail_beside_others(), std::runtime_error);
+  }
+  EXPECT_GT(returned, 0);
+  EXPECT_EQ(incomplete, 0);
+}
+
 }  // namespace fieldfab
