@@ -33,7 +33,8 @@ class EditVerb final : public Verb {
 }  // namespace
 
 void become_python(const std::string& module, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{python_program(), "-m", module};
+  // -P: a json.py in the current folder is the user's, and not Python's.
+  std::vector<std::string> words{python_program(), "-P", "-m", module};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment = python_environment();
   std::vector<char*> argv, env;

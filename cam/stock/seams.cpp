@@ -23,6 +23,19 @@ const double cosine_of_same = std::cos(25 * degree);
 
 }  // namespace
 
+void find_rim(std::span<const std::array<std::uint32_t, 3>> triangles, Rim& rim) {
+  rim.clear();
+  for (const auto& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::array<std::uint32_t, 2> edge{t[i], t[(i + 1) % 3]};
+      const auto back = std::find(rim.begin(), rim.end(), std::array{edge[1], edge[0]});
+      if (back != rim.end())
+        rim.erase(back);
+      else
+        rim.push_back(edge);
+    }
+}
+
 class SeamFinder::Search {
  public:
   Search(const SeamFinder& finder, std::size_t index, const State& state)
@@ -82,16 +95,7 @@ class SeamFinder::Search {
 
   void look(const SurfacePiece::Cube& cube, std::span<const std::array<std::uint32_t, 3>> triangles) {
     if (plain(triangles)) return;
-    rim_.clear();
-    for (const auto& t : triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::array<std::uint32_t, 2> edge{t[i], t[(i + 1) % 3]};
-        const auto back = std::find(rim_.begin(), rim_.end(), std::array{edge[1], edge[0]});
-        if (back != rim_.end())
-          rim_.erase(back);
-        else
-          rim_.push_back(edge);
-      }
+    find_rim(triangles, rim_);
     Index3 lower;
     for (std::size_t a = 0; a < 3; ++a) lower[a] = piece_.region.lower[a] + cube.from_lower[a];
     int meetings = 0;
@@ -261,7 +265,7 @@ class SeamFinder::Search {
   const SurfacePiece& piece_;
   const State& state_;
   SharpCubes found_;
-  std::vector<std::array<std::uint32_t, 2>> rim_;
+  Rim rim_;
   std::unordered_map<std::uint32_t, std::optional<Plane>> planes_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "cut_surfaces.h"
@@ -37,6 +38,11 @@ struct SharpCubes {
 struct VertexState {
   static constexpr std::uint8_t axis_part = 3, not_level = 4, upwards = 8;
 };
+
+/// Directed edges around a part of a surface.
+using Rim = std::vector<std::array<std::uint32_t, 2>>;
+/// Sets `rim` to the edges that triangles do not share with each other, in the triangles' direction.
+void find_rim(std::span<const std::array<std::uint32_t, 3>> triangles, Rim& rim);
 
 /// Finds seams with the planes tangent to cuts at the vertices. Whether a pair of vertices has a seam between them
 /// depends on these two only, so that the two cubes at a face agree.

@@ -79,17 +79,9 @@ class SharpEdges {
   }
 
   /// Edges at the rim of a cube's triangles.
-  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> rim_of(std::size_t cube) const {
-    std::vector<std::array<std::uint32_t, 2>> rim;
-    for (const Triangle& t : triangles_of(cube))
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::array<std::uint32_t, 2> edge{t[i], t[(i + 1) % 3]};
-        const auto back = std::find(rim.begin(), rim.end(), std::array{edge[1], edge[0]});
-        if (back != rim.end())
-          rim.erase(back);
-        else
-          rim.push_back(edge);
-      }
+  [[nodiscard]] Rim rim_of(std::size_t cube) const {
+    Rim rim;
+    find_rim(triangles_of(cube), rim);
     return rim;
   }
   [[nodiscard]] std::vector<std::uint32_t> seams_of(std::size_t cube) const {
@@ -145,7 +137,7 @@ class SharpEdges {
 
   /// The loops of a cube with the seams that were not dropped. Empty if the rim is no set of loops.
   [[nodiscard]] std::vector<Loop> loops_of(std::size_t cube) const {
-    std::vector<std::array<std::uint32_t, 2>> rim = rim_of(cube);
+    Rim rim = rim_of(cube);
     std::vector<Loop> loops;
     while (!rim.empty()) {
       Loop& loop = loops.emplace_back();

@@ -240,3 +240,10 @@ def test_meshes_are_models(tmp_path):
     built = summary("build", whole, "-o", tmp_path / "c.asdf", "--voxel", 0.5)
     assert built["leafs"] > 0
     assert "no triangles" in refused("build", write("none.off", []), "-o", tmp_path / "d.asdf")
+
+
+def test_scripts_are_not_confused_by_the_current_folder(tmp_path):
+    (tmp_path / "json.py").write_text("raise SystemExit(7)")
+    (tmp_path / "models").mkdir()
+    (tmp_path / "models" / "ball.py").write_text("import json\nfrom fieldfab.shapes import *\nshape = sphere(5)\n")
+    assert "volume 523.6" in run("info", "models/ball.py", cwd=tmp_path).stdout

@@ -1,5 +1,6 @@
 """Files written whole or not at all, failing streams, inputs other than files, memory limits and signals."""
 
+import contextlib
 import json
 import os
 import pathlib
@@ -401,8 +402,8 @@ def test_what_is_no_file_is_refused_at_once(verb, ending, kind, folder):
         path.symlink_to(folder / "sub")
     else:
         server = socket.socket(socket.AF_UNIX)
-        os.chdir(folder)  # names of sockets have a length limit
-        server.bind(path.name)
+        with contextlib.chdir(folder):  # names of sockets have a length limit
+            server.bind(path.name)
     more = {"mesh": ["-o", "made.stl"], "simulate": ["--setup", "setup.toml"], "cam": ["-o", "made.nc"],
             "openscad": ["-o", "made.stl"]}
     started = time.monotonic()

@@ -264,6 +264,24 @@ def test_requests_whose_time_is_over_are_ended_once():
     run(talk())
 
 
+def test_workers_find_their_modules_wherever_the_server_is(tmp_path, monkeypatch):
+    """The path of modules may be relative to the folder that the server started in; a json.py of the user is not
+    Python's."""
+    (tmp_path / "json.py").write_text("raise SystemExit(7)")
+    (tmp_path / "model.frep").write_text("sphere(5)")
+    monkeypatch.setenv("PYTHONPATH", "build/release/python")
+    monkeypatch.chdir(tmp_path)
+
+    async def talk():
+        pool = Pool(1)
+        request = {"do": "look", "text": "sphere(5)", "language": "frep", "values": {}, "folder": "."}
+        assert (await pool.ask(request))[0]["flat"] is False
+        pool.kill()
+        await asyncio.sleep(0.1)  # the loop notices the end of the process
+
+    run(talk())
+
+
 def test_no_request_waits_for_ever_behind_others():
     """Requests of rank 0 arrive all the time. One of rank 2 gets its turn."""
     async def talk():

@@ -277,6 +277,8 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
   EXPECT_LT(mesh.vertices.size(), fine.mesh.vertices.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     EXPECT_NEAR(said.at_vertex[v], deviation(mesh.vertices[v]), setup.sampling.cell / 100);
+  const TriangleMesh sampled = result.stock().mesh(nullptr, Progress::none(), StockEdges::sampled);
+  EXPECT_NEAR(sampled.volume(), fine.mesh.volume(), 1e-6 * mesh.volume());
   EXPECT_NEAR(mesh.volume(), fine.mesh.volume(), 2e-3 * mesh.volume());  // its edges are not cut off
 }
 

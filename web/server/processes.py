@@ -6,9 +6,9 @@ import collections
 import contextlib
 import heapq
 import itertools
-import sys
 
 from .frames import frame, read_frame_later
+from .launch import worker_command
 from .limits import LIMITS
 
 KEPT_TEXTS = 100
@@ -43,9 +43,9 @@ class Worker:
 
     async def start(self):
         if self._process is None:
-            words = (sys.executable, "-m", f"{__package__}.worker", str(self.memory))
-            self._process = await asyncio.create_subprocess_exec(*words, stdin=asyncio.subprocess.PIPE,
-                                                                 stdout=asyncio.subprocess.PIPE)
+            words, environment = worker_command(self.memory)
+            self._process = await asyncio.create_subprocess_exec(
+                *words, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE, env=environment)
 
     async def ask(self, request, seconds):
         """Yields (head, body) of each answer except the end mark. Raises Refused; returns early after stop()."""

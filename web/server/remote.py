@@ -3,11 +3,11 @@ only."""
 
 import os
 import subprocess
-import sys
 import tempfile
 import threading
 
 from .frames import frame, read_frame
+from .launch import worker_command
 
 
 def run(request, memory, seconds, most, topic, name):
@@ -19,8 +19,8 @@ def run(request, memory, seconds, most, topic, name):
     told, late = distributed.get_worker().log_event, threading.Event()
     stopped = distributed.Event(name, client=distributed.get_client())  # which only this thread can find
     with tempfile.TemporaryDirectory(prefix="fieldfab-job-") as folder:
-        words = [sys.executable, "-m", f"{__package__}.worker", str(memory)]
-        with subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+        words, environment = worker_command(memory)
+        with subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment) as process:
             ended = threading.Event()
 
             def watch():

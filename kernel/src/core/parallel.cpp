@@ -20,7 +20,8 @@ ThreadLimit::~ThreadLimit() = default;
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   // Isolated: an exception in a loop around this one would otherwise end this one early, without an exception here.
   tbb::task_group_context own(tbb::task_group_context::isolated);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { body(i); }, own);
+  tbb::parallel_for(
+      std::size_t{0}, count, [&](std::size_t i) { body(i); }, own);
 }
 
 }  // namespace fieldfab

@@ -45,7 +45,7 @@ std::vector<std::string> python_environment() {
 
 std::string run_script(const std::filesystem::path& path, Progress& progress) {
   require_regular_file(path);
-  Child child({.words = {python_program(), "-m", "fieldfab.script", path.string()},
+  Child child({.words = {python_program(), "-P", "-m", "fieldfab.script", path.string()},
                .environment = python_environment(),
                .memory = available_memory() / 2});
   const auto started = std::chrono::steady_clock::now();

@@ -22,7 +22,8 @@ class ThreadLimit {
 };
 
 /// Calls body(i) for each i in [0, count), in parallel and in any order. Rethrows the first exception of a call; calls
-/// that have not begun are then omitted. A loop that returns has made all its calls, also within a loop that has failed.
+/// that have not begun are then omitted. A loop that returns has made all its calls, also within a loop that has
+/// failed.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 }  // namespace fieldfab
