@@ -89,7 +89,8 @@ void SimulationRun::mount(const Tool& tool) {
   const auto mounted = std::make_shared<Mounted>();
   mounted->tool = tool;
   mounted->solid = tool_solid(tool);
-  mounted->inner = mounted->solid.shrunk(setup_.touch);
+  // Errors of swept surfaces are no contacts.
+  mounted->inner = mounted->solid.shrunk(std::max(setup_.touch, 2 * stock_.tolerance()));
   mounted_ = mounted;
   tool_number_ = tool.number;
   known_ = false;  // the motion to the position of the tool change and back is not part of the program
@@ -221,7 +222,7 @@ void SimulationRun::flush() {
 
 void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const StrokeResult& result) {
   const auto told = [&](Kind kind, const char* what) {
-    if (!result.points) return;
+    if (result.volume <= 0) return;
     log_.add({kind, purpose.move, result.place, result.volume,
               fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(),
                           result.place.y(), result.place.z())});

@@ -163,6 +163,28 @@ TEST_F(SimulationFiles, TheMachinesZeroIsAboveTheWorkWhereNobodySaysWhereItIs) {
   EXPECT_GT(events("zero = [0, 0, 0]"), 0u);
 }
 
+// A contact is as deep as the tool goes, also between the planes of the lattice, which are 0.25 mm apart.
+TEST_F(SimulationFiles, ContactsCountFromTheirLeastDepthOn) {
+  SimulationSetup fine = setup();
+  fine.touch = 0.02;
+  const auto events = [&](double z) {
+    const auto path = write("low.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y10 Z5", fmt::format("G0 Z{}", z),
+                                       "G0 X30", "G0 Z5", "M2"});
+    return simulate(fine, path).events();
+  };
+  EXPECT_TRUE(events(0).empty());
+  EXPECT_TRUE(events(-0.015).empty());
+  for (const double z : {-0.03, -0.1, -0.2, -0.26}) {
+    const auto found = events(z);
+    ASSERT_EQ(found.size(), 1u) << z;
+    EXPECT_EQ(name_of(found[0].kind), "rapid contact");
+    EXPECT_EQ(found[0].move.line, 6);
+    EXPECT_NEAR(found[0].amount, 20 * 2.96 * (-z - 0.02), 0.1 * 60 * (-z - 0.02)) << z;
+    EXPECT_LE(found[0].place.z(), 0);
+    EXPECT_GE(found[0].place.z(), z);
+  }
+}
+
 // The shank meets the wall on lines of two passes, the deeper ones last: two events, each with its
 // lines and worst place.
 TEST_F(SimulationFiles, EventsOfOneKindAlongAPassAreOne) {

@@ -58,7 +58,7 @@ struct Stroke {
 struct StrokeResult {
   double volume = 0;          ///< volume of material removed or met, mm^3
   std::uint64_t points = 0;   ///< number of lattice points in that volume
-  Vec3 place = Vec3::Zero();  ///< one of these points, part coordinates, mm
+  Vec3 place = Vec3::Zero();  ///< a place in that volume, one of these points if there are any; part coordinates, mm
 };
 
 /// A place where the surface crosses an edge of the lattice, from a solid point to one of air. Part coordinates, mm.
