@@ -121,8 +121,9 @@ std::vector<Path> where_material(const std::vector<Path>& paths, const Material&
     };
     std::vector<bool> meets(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) meets[i] = meets_within(points[i], radius);
-    keep_along_material(meets, [&](std::size_t i) { return meets_within(points[i], wider * radius); },
-                        static_cast<std::size_t>(longest_gap * radius / step));
+    keep_along_material(
+        meets, [&](std::size_t i) { return meets_within(points[i], wider * radius); },
+        static_cast<std::size_t>(longest_gap * radius / step));
     if (std::none_of(meets.begin(), meets.end(), [](bool b) { return b; })) continue;
     if (std::all_of(meets.begin(), meets.end(), [](bool b) { return b; })) {
       out.push_back(path);

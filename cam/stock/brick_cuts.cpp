@@ -197,7 +197,8 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
       if (length > 0) {
         const double share = (u == 0 || u == cells_u ? 0.5 : 1) * (v == 0 || v == cells_v ? 0.5 : 1);
         // The first place counts; a lattice point is preferred below.
-        if (result.volume == 0) result.place = place_on(axis, u, v, std::max({a, lower.at, static_cast<float>(from_mm)}), lattice);
+        if (result.volume == 0)
+          result.place = place_on(axis, u, v, std::max({a, lower.at, static_cast<float>(from_mm)}), lattice);
         result.volume += share * length * lattice.spacing()[ua] * lattice.spacing()[va];
       }
       const int met = std::min(points.last, k1) - std::max(points.first, k0) + 1;

@@ -9,7 +9,7 @@ import pytest
 from conftest import ROOT
 from simulate_test import run
 
-FOLDER = ROOT / "examples" / "simulation" / "dialects"
+FOLDER = ROOT / "examples" / "dialects"
 ROWS = re.findall(r"^\| (\w+\.(?:nc|tap|ngc)) \| [^|]+ \| ([^|]+) \|", (ROOT / "docs/simulation.md").read_text(), re.M)
 
 

@@ -168,8 +168,8 @@ TEST_F(SimulationFiles, ContactsCountFromTheirLeastDepthOn) {
   SimulationSetup fine = setup();
   fine.touch = 0.02;
   const auto events = [&](double z) {
-    const auto path = write("low.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y10 Z5", fmt::format("G0 Z{}", z),
-                                       "G0 X30", "G0 Z5", "M2"});
+    const auto path = write(
+        "low.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y10 Z5", fmt::format("G0 Z{}", z), "G0 X30", "G0 Z5", "M2"});
     return simulate(fine, path).events();
   };
   EXPECT_TRUE(events(0).empty());
@@ -185,8 +185,8 @@ TEST_F(SimulationFiles, ContactsCountFromTheirLeastDepthOn) {
   }
 }
 
-// Nobody said how high the tool hangs before the program moves Z: a rapid to the first place and length compensation are
-// no contacts. What follows is examined.
+// Nobody said how high the tool hangs before the program moves Z: a rapid to the first place and length compensation
+// are no contacts. What follows is examined.
 TEST_F(SimulationFiles, TheHeightIsUnknownUntilZMoves) {
   const std::string set_up =
       "[stock]\nlower = [0, 0, -8]\nupper = [20, 20, 4]\n"
