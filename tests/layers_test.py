@@ -47,7 +47,8 @@ LAYERS = ("base", "objects", "files", "views", "panels", "commands", "start")
 FILES = ("files", "importing", "openscad_files", "part_files", "path_jobs")
 PACKAGE = "fieldfab_workbench"
 # Modules of web/server that run in worker processes; they do not import the server.
-WORKER_SIDE = {"limits", "worker", "models", "pictures", "archives", "files", "machining", "frames", "png", "remote"}
+WORKER_SIDE = {"limits", "worker", "models", "pictures", "archives", "files", "machining", "frames", "launch", "png",
+               "remote"}
 
 
 def room_of(path):

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "fieldfab/cam/plan/deep_cuts.h"
+#include "fieldfab/cam/plan/planned_stock.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
@@ -90,7 +90,7 @@ Artifact seen_from(const Artifact& input, const Plane& plane) {
 /// Runs the operations in sequence and stores their common data.
 class JobRunner {
  public:
-  JobRunner(Job& job, Progress& progress) : job_(job), progress_(progress) {}
+  JobRunner(Job& job, Progress& progress) : job_(job), progress_(progress), left_(stock_of(job)) {}
 
   void run() {
     for (const PlannedOperation& op : job_.operations_) add(op);
@@ -131,9 +131,7 @@ class JobRunner {
   void add(const PlannedOperation& op) {
     const Box stock = op.plane.into(job_.stock_);
     const auto* const solid = std::get_if<Solid>(op.own_input ? &*op.own_input : &job_.input_);
-    Material& material = material_of(op, stock);
-    for (const auto& [name, other] : materials_)
-      if (name != op.plane.name) take_away(material, op.plane, stock.lower.z(), other.material, other.plane);
+    const Material material = left_.seen_from(op.plane, progress_);
     Context context{op.tool,
                     stock,
                     op.plane,
@@ -164,9 +162,9 @@ class JobRunner {
       job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));
       return;
     }
-    const bool complete = cuts.leans > 0 || back_out(op, section);
+    const bool too_deep = cuts.leans == 0 && may_be_too_deep(section.moves, op.tool, op.plane, job_.stock_);
+    const bool complete = !too_deep || back_out(op, section);
     if (section.moves.size() < 2) {
-      known_ = std::min(known_, job_.program_.sections.size());
       job_.notes_.push_back(fmt::format("{}: nothing of it is left", op.name));
       return;
     }
@@ -177,15 +175,14 @@ class JobRunner {
           "top",
           op.plane.name, -stock.lower.x(), -stock.lower.y(), stock.upper.z());
     setup_ = op.plane.setup ? op.plane.name : "";
-    if (op.tool.diameter > 0)
-      material.cut(cuts.leans > 0 ? upright(section.moves, op.tool) : section.moves, op.tool.profile());
+    if (!too_deep && op.tool.diameter > 0 && &op != &job_.operations_.back())
+      left_.cut(section.moves, op.tool, op.plane, progress_);
     section.moves = placed(section.moves, op.plane, 0.005);
     report.paths = cuts.paths.size();
     report.length = lengths(section.moves);
     report.seconds = duration(section.moves, job_.machine_.dynamics);
     job_.reports_.push_back(report);
     job_.program_.sections.push_back(std::move(section));
-    frames_.push_back(op.plane.setup ? op.plane : Plane{});
     clearances_.push_back(op.values.number("clearance"));
     if (cuts.finished && complete) earlier_.emplace_back(op.plane, cuts.finished, 0.5);
   }
@@ -194,17 +191,9 @@ class JobRunner {
   /// reports the remaining material. Returns false in that case. A holder that meets material is an
   /// error.
   bool back_out(const PlannedOperation& op, Section& section) {
-    if (!may_be_too_deep(section.moves, op.tool, op.plane, job_.stock_)) return true;
     progress_.report(0, "deep cuts");
-    if (!deep_cuts_)
-      deep_cuts_ =
-          job_.saved_stock_ ? std::make_unique<DeepCuts>(*job_.saved_stock_) : std::make_unique<DeepCuts>(job_.stock_);
-    for (; known_ < job_.program_.sections.size(); ++known_)
-      deep_cuts_->cut(job_.program_.sections[known_].moves, job_.program_.sections[known_].tool, frames_[known_],
-                      progress_);
     BackedOut report;
-    section.moves =
-        deep_cuts_->back_out(section.moves, op.tool, op.plane, op.values.number("plunge"), report, progress_);
+    section.moves = left_.back_out(section.moves, op.tool, op.plane, op.values.number("plunge"), report, progress_);
     if (report.holder)
       throw Error(
           ErrorKind::bad_input, op.values.place("type"),
@@ -212,7 +201,6 @@ class JobRunner {
               "{}: the holder of tool {} meets material at x {:.2f}, y {:.2f}, z {:.2f} of the tip; the tool reaches "
               "{:.4g} mm out of it",
               op.name, op.tool.number, report.holder->x(), report.holder->y(), report.holder->z(), op.tool.length));
-    ++known_;
     if (report.length == 0) return true;
     const Box at =
         op.plane.setup ? report.places : image_of(report.places, op.plane.axes, op.plane.axes * op.plane.origin);
@@ -224,30 +212,27 @@ class JobRunner {
     return false;
   }
 
-  /// Moves of a tilted ball, converted to a vertical tool: the ball cuts the same.
-  static std::vector<Move> upright(std::vector<Move> moves, const Tool& tool) {
-    const double ball = tool.shape == ToolShape::ball ? tool.radius() : tool.corner_radius;
-    for (Move& move : moves) move.to += ball * (move.axis - Vec3::UnitZ()), move.axis = Vec3::UnitZ();
-    return moves;
-  }
-
   const FreeSpace& space_about(const Solid& solid) {
     auto& space = spaces_[solid.field.get()];
     if (!space) space = std::make_unique<FreeSpace>(solid.field, solid.bounds->grown(1e-3), progress_);
     return *space;
   }
 
-  /// The remaining material in the coordinates of the operation's plane.
-  Material& material_of(const PlannedOperation& op, const Box& stock) {
-    const auto found = materials_.find(op.plane.name);
-    if (found != materials_.end()) return found->second.material;
-    // As fine as the smallest tool requires, within a limit of memory.
-    double smallest = stock.size().head<2>().maxCoeff() / 100;
-    for (const PlannedOperation& other : job_.operations_)
-      if (other.tool.diameter > 0) smallest = std::min(smallest, other.tool.diameter / 8);
-    const double cell = std::max(smallest, stock.size().head<2>().maxCoeff() / 2000);
-    const Material block(Rectangle::of(stock), stock.upper.z(), std::max(cell, 1e-3));
-    return materials_.emplace(op.plane.name, Seen{op.plane, block}).first->second.material;
+  /// The stock at the start: saved, or a box with cells as fine as the smallest tool requires, within
+  /// a limit of memory.
+  static PlannedStock stock_of(const Job& job) {
+    if (job.saved_stock_) return PlannedStock(*job.saved_stock_);
+    const double longest = job.stock_.size().maxCoeff(), usual = StockSettings::usual_cell(job.stock_);
+    double cell = longest / 100;
+    for (const PlannedOperation& op : job.operations_)
+      if (op.tool.diameter > 0) cell = std::min(cell, op.tool.diameter / 16);
+    cell = std::max({cell, longest / 1000, 1e-3});
+    // Deep cuts need the cells of a simulation: at once, if they cost little more.
+    if (cell < 1.5 * usual) cell = std::min(cell, usual);
+    // Drawings may have no thickness.
+    Box box = job.stock_;
+    box.lower = box.lower.cwiseMin(Vec3(box.upper.array() - cell));
+    return {box, cell};
   }
 
   /// Adds moves (Algorithm 6.1) at each change of the tool's direction, and to the vertical at the
@@ -277,18 +262,8 @@ class JobRunner {
   Job& job_;
   Progress& progress_;
   std::map<std::string, Artifact> made_;
-  /// The remaining material in a plane's coordinates.
-  struct Seen {
-    Plane plane;
-    Material material;
-  };
-  std::map<std::string, Seen> materials_;                      // by plane
   std::map<const Field*, std::unique_ptr<FreeSpace>> spaces_;  // by part
-  std::unique_ptr<DeepCuts> deep_cuts_;                        // made when an operation may be too deep
-  // number of sections that deep_cuts_ has executed
-  std::size_t known_ = 0;
-  // coordinate system of each section's moves
-  std::vector<Plane> frames_;
+  PlannedStock left_;
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section
   std::string setup_;               // orientation of the work

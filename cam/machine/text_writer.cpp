@@ -45,10 +45,12 @@ class TextWriter {
       set_section(section);
       out_ += templates_.fill("section");
       if (!section.setup.empty()) {
+        if (last_ && templates_.has("retract")) out_ += templates_.fill("retract");  // there must be room to turn it
         if (spindle > 0) out_ += templates_.fill("spindle_off");
         out_ += templates_.fill("setup");
         spindle = -1;
         templates_.forget();
+        at_known_ = false;
       }
       if (section.tool.number != tool) {
         if (spindle > 0) out_ += templates_.fill("spindle_off");

@@ -1,80 +1,53 @@
-#include "fieldfab/cam/plan/deep_cuts.h"
+#include "deep_cuts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "base/chords.h"
+#include "strokes.h"
 
 namespace fieldfab::cam {
 namespace {
 
-constexpr double touch = 0.01;   // mm; half of the depth that a simulation reports as contact
-constexpr double chord = 0.002;  // greatest deviation of chords from arcs, mm
+constexpr double touch = 0.01;  // mm; half of the depth that a simulation reports as contact
 
 double shank_radius(const Tool& tool) { return 0.5 * (tool.shank > 0 ? tool.shank : tool.diameter); }
 
-/// A tool with infinitely long shank and holder, as used in planning.
+/// A tool with infinitely long shank and holder, as used in planning. It is thinner than the tool by `thin` mm, so that
+/// its cutting part leaves as much at walls, and its shank keeps clear of that.
 struct ShortTool {
   std::vector<ToolPiece> tip;
   std::optional<ToolPiece> shank, holder;
   double flute = 0;
 
-  ShortTool(const Tool& tool, double cell, double endless) {
-    Tool cutting = tool;
-    if (tool.flute > 0) cutting.flute = flute = std::max(tool.flute - cell, 0.5 * tool.flute);
-    for (ToolPiece& piece : tool_solid(cutting).pieces)
-      if (piece.role == ToolRole::cutting) tip.push_back(std::move(piece));
+  ShortTool(const Tool& tool, double cell, double thin, double endless) {
+    if (tool.flute > 0) flute = std::max(tool.flute - cell, 0.5 * tool.flute);
+    tip = thinned(tool, thin, flute > 0 ? flute : tool.length > 0 ? tool.length : endless);
     const auto cylinder = [&](ToolRole role, double from, double radius) -> std::optional<ToolPiece> {
       if (!(from > 0) || !(radius > 0)) return std::nullopt;
       return ToolPiece{role, {{Zone::Shape::frustum, from, from + endless, radius, radius, true, true}}};
     };
-    // A shank no wider than the flutes stays within their path along walls. A wider shank could
-    // touch material between two lines of the lattice.
+    // A shank no wider than the flutes stays within their path along walls. A wider shank keeps a
+    // cell away from lattice points, so that it meets no material between them.
     const double radius = shank_radius(tool), half = tool.radius();
-    shank = cylinder(ToolRole::shank, flute, radius > half + touch ? radius + cell : radius - touch);
-    holder = cylinder(ToolRole::holder, tool.length, std::max(radius, 0.5 * tool.holder_diameter) - touch);
+    shank = cylinder(ToolRole::shank, flute, radius > half + touch ? radius + cell : radius - touch - thin);
+    holder = cylinder(ToolRole::holder, tool.length, std::max(radius, 0.5 * tool.holder_diameter) - touch - thin);
   }
 };
-
-/// End points of straight segments of a move, each at most `step` long.
-std::vector<Vec3> pieces_of(const Vec3& from, const Move& move, double step) {
-  std::vector<Vec3> ends;
-  Path path;
-  path.points = {{from, move.bulge}, {move.to}};
-  double longest = step;
-  if (move.bulge != 0) {
-    const double radius = arc_between(from.head<2>(), move.to.head<2>(), move.bulge).radius;
-    longest = std::min(step, chord_arc_length(radius, chord));
-  }
-  Vec3 last = from;
-  for (const PathPoint& p : points_along(path, longest)) {
-    const Vec3 way = p.at - last;
-    const int parts = std::isfinite(step) ? std::max(1, static_cast<int>(std::ceil(way.norm() / step))) : 1;
-    for (int k = 1; k <= parts; ++k)
-      if (way.norm() > 0) ends.emplace_back(last + way * k / parts);
-    last = p.at;
-  }
-  return ends;
-}
 
 /// Executes moves of one tool on one plane.
 class DeepCutter {
  public:
-  DeepCutter(Stock& stock, const Tool& tool, const Plane& plane)
+  DeepCutter(Stock& stock, std::uint32_t cut, const Tool& tool, const Plane& plane)
       : stock_(stock),
+        cut_(cut),
         plane_(plane),
         cell_(stock.lattice().spacing().maxCoeff()),
-        tool_(tool, cell_, 2 * stock.lattice().box().diagonal() + 2 * tool.length + tool.flute),
+        tool_(tool, cell_, half_diagonal(stock.lattice(), plane.axes.col(2)),
+              2 * stock.lattice().box().diagonal() + 2 * tool.length + tool.flute),
         step_(std::max(0.5 * tool.diameter, cell_)),
         clear_(plane.into(stock.lattice().box()).upper.z() + cell_ - tool_.flute),
         holder_clear_(clear_ + tool_.flute - tool.length) {}
-
-  void carry_out(const std::vector<Move>& moves, Progress& progress) {
-    for (std::size_t k = 1; k < moves.size(); ++k) add(moves[k - 1], moves[k], false);
-    stock_.cut(strokes_, progress);
-    strokes_.clear();
-  }
 
   std::vector<Move> back_out(const std::vector<Move>& moves, double plunge, BackedOut& report, Progress& progress) {
     plunge_ = plunge;
@@ -112,20 +85,20 @@ class DeepCutter {
     return {plane_.out_of(tip), plane_.axes * axis};
   }
   void add(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, bool removes) {
-    strokes_.push_back({&piece, from, to, 1, removes});
+    strokes_.push_back({&piece, from, to, cut_, removes});
   }
   void add_tip(const ToolPose& from, const ToolPose& to) {
     for (const ToolPiece& piece : tool_.tip) add(piece, from, to, true);
   }
-  /// Adds the strokes of a move: the cutter's, and if `ask` those of shank and holder, which must
-  /// not meet the remaining material.
-  void add(const Move& from, const Move& to, bool ask) {
+  /// Adds the strokes of a move: the cutter's, and those of shank and holder, which must not meet
+  /// the remaining material.
+  void add(const Move& from, const Move& to) {
     Move start = from;
-    for (const Vec3& end : pieces_of(from.to, to, std::numeric_limits<double>::infinity())) {
+    for (const Vec3& end : segments(from.to, to, std::numeric_limits<double>::infinity())) {
       const ToolPose a = pose(start.to, start.axis), b = pose(end, to.axis);
       add_tip(a, b);
-      if (ask && tool_.shank && std::min(start.to.z(), end.z()) < clear_) add(*tool_.shank, a, b, false);
-      if (ask && tool_.holder && std::min(start.to.z(), end.z()) < holder_clear_) add(*tool_.holder, a, b, false);
+      if (tool_.shank && std::min(start.to.z(), end.z()) < clear_) add(*tool_.shank, a, b, false);
+      if (tool_.holder && std::min(start.to.z(), end.z()) < holder_clear_) add(*tool_.holder, a, b, false);
       start.to = end, start.axis = to.axis;
     }
   }
@@ -138,7 +111,7 @@ class DeepCutter {
     Move at = done_.back();
     for (std::size_t k = begin; k < end; ++k) {
       first.push_back(strokes_.size());
-      add(at, moves[k], true);
+      add(at, moves[k]);
       at = moves[k];
     }
     first.push_back(strokes_.size());
@@ -219,7 +192,7 @@ class DeepCutter {
       return clear;
     };
     const Vec3 start = planned;
-    for (const Vec3& end : pieces_of(start, move, step_)) {
+    for (const Vec3& end : segments(start, move, step_)) {
       // The tool may have been raised before this segment started.
       const Vec3 at = ends.back();
       Vec3 to = end;
@@ -279,6 +252,7 @@ class DeepCutter {
   }
 
   Stock& stock_;
+  std::uint32_t cut_;
   const Plane& plane_;
   double cell_;
   ShortTool tool_;
@@ -303,13 +277,9 @@ class DeepCutter {
 
 }  // namespace
 
-void DeepCuts::cut(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, Progress& progress) {
-  DeepCutter(stock_, tool, plane).carry_out(moves, progress);
-}
-
-std::vector<Move> DeepCuts::back_out(const std::vector<Move>& moves, const Tool& tool, const Plane& plane,
-                                     double plunge, BackedOut& report, Progress& progress) {
-  return DeepCutter(stock_, tool, plane).back_out(moves, plunge, report, progress);
+std::vector<Move> back_out(Stock& stock, std::uint32_t cut, const std::vector<Move>& moves, const Tool& tool,
+                           const Plane& plane, double plunge, BackedOut& report, Progress& progress) {
+  return DeepCutter(stock, cut, tool, plane).back_out(moves, plunge, report, progress);
 }
 
 bool may_be_too_deep(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, const Box& stock) {

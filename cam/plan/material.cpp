@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fieldfab::cam {
 
@@ -11,62 +12,100 @@ Material::Material(const Rectangle& block, double top, double cell) {
             high = std::max(1, static_cast<int>(std::ceil(size.y() / cell)));
   heights_ = HeightMap(wide, high, cell, block.lower + 0.5 * (size - Vec2(wide - 1, high - 1) * cell),
                        static_cast<float>(top));
+  certain_ = heights_;
 }
 
-void Material::cut(const std::vector<Move>& moves, const Profile& profile) {
-  const double cell = heights_.cell, radius = profile.radius();
-  // Heights of the cutter per cell, taken at the far corner of each cell so that material is not
-  // removed in excess.
-  const int reach = static_cast<int>(radius / cell);
-  std::vector<float> shape;
-  for (int v = -reach; v <= reach; ++v)
-    for (int u = -reach; u <= reach; ++u) {
-      const double away = cell * std::hypot(std::abs(u) + 0.5, std::abs(v) + 0.5);
-      shape.push_back(away <= radius ? static_cast<float>(profile.height(away)) : 1e30F);
+namespace {
+
+/// Raises the cells of a map whose squares come within `reach` of a point.
+void raise(HeightMap& map, const Vec3& at, double reach) {
+  const auto height = static_cast<float>(at.z());
+  const Vec2 p = (at.head<2>() - map.origin) / map.cell;
+  const double r = reach / map.cell;
+  const auto first = [&](double x) { return std::max(0, static_cast<int>(std::ceil(x - r - 0.5))); };
+  const auto last = [&](double x, int count) { return std::min(count - 1, static_cast<int>(std::floor(x + r + 0.5))); };
+  for (int row = first(p.y()); row <= last(p.y(), map.height); ++row)
+    for (int column = first(p.x()); column <= last(p.x(), map.width); ++column) {
+      const double x = std::max(0.0, std::abs(column - p.x()) - 0.5), y = std::max(0.0, std::abs(row - p.y()) - 0.5);
+      if (x * x + y * y > r * r + 1e-9) continue;
+      float& here = map.at(column, row);
+      here = std::max(here, height);
     }
-  const auto stamp = [&](const Vec3& tip) {
-    const int column = static_cast<int>(std::lround((tip.x() - heights_.origin.x()) / cell)),
-              row = static_cast<int>(std::lround((tip.y() - heights_.origin.y()) / cell));
-    std::size_t i = 0;
-    for (int v = row - reach; v <= row + reach; ++v)
-      for (int u = column - reach; u <= column + reach; ++u, ++i) {
-        if (u < 0 || v < 0 || u >= heights_.width || v >= heights_.height) continue;
-        float& height = heights_.at(u, v);
-        height = std::min(height, static_cast<float>(tip.z()) + shape[i]);
-      }
-  };
-  for (std::size_t k = 1; k < moves.size(); ++k) {
-    if (moves[k].rapid()) continue;
-    Path piece;
-    piece.points = {{moves[k - 1].to, moves[k].bulge}, {moves[k].to}};
-    const std::vector<PathPoint> points = points_along(piece, cell);
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const Vec3 from = points[i - 1].at, way = points[i].at - from;
-      const int steps = std::max(1, static_cast<int>(std::ceil(way.head<2>().norm() / cell)));
-      for (int s = 0; s <= steps; ++s) stamp(from + way * s / steps);
+}
+
+}  // namespace
+
+Material::Material(const Stock& stock, const Plane& plane, const std::function<double(std::uint32_t)>& slack,
+                   Progress& progress) {
+  const Box box = plane.into(stock.lattice().box());
+  const Vec3& spacing = stock.lattice().spacing();
+  const Vec3 view = plane.axes.col(2);
+  int axis = 0;
+  const bool along = view.cwiseAbs().maxCoeff(&axis) > 1 - 1e-9;
+  const double cell = spacing.maxCoeff();
+  // Cells lie about lines of the lattice, if the plane looks along them.
+  const int wide = static_cast<int>(std::ceil(box.size().x() / cell - 1e-6)) + 1,
+            high = static_cast<int>(std::ceil(box.size().y() / cell - 1e-6)) + 1;
+  heights_ = certain_ = HeightMap(wide, high, cell, box.lower.head<2>(), -std::numeric_limits<float>::infinity());
+  for (const StockCrossing& c : stock.crossings(progress)) {
+    const Vec3 at = plane.into(c.place), less(0, 0, slack(c.cut));
+    if (along) {
+      // A line stands for the material about it. Ends of material on lines are exact.
+      if (c.axis != axis || c.upwards != (view[axis] > 0)) continue;
+      const double half = 0.499 * std::max(spacing[(axis + 1) % 3], spacing[(axis + 2) % 3]);
+      raise(heights_, at, half);
+      raise(certain_, at - less, half);
+    } else {
+      // Each point of the material has a solid point of the lattice within two halves of its diagonal: a cut removes
+      // points only where it is sure, across its axis, and the next points below its floor stay.
+      const double near = spacing.norm();
+      raise(heights_, plane.into(c.solid) + Vec3(0, 0, near), near);
+      raise(certain_, at - less, 0);
     }
   }
 }
 
-double Material::highest(const Vec2& p, double radius) const {
-  const Vec2 low = (p - heights_.origin - Vec2::Constant(radius)) / heights_.cell,
-             high = (p - heights_.origin + Vec2::Constant(radius)) / heights_.cell;
-  const int left = std::max(0, static_cast<int>(std::floor(low.x()))),
-            right = std::min(heights_.width - 1, static_cast<int>(std::ceil(high.x())));
-  const int bottom = std::max(0, static_cast<int>(std::floor(low.y()))),
-            top = std::min(heights_.height - 1, static_cast<int>(std::ceil(high.y())));
+double Material::greatest(const HeightMap& map, const Vec2& p, double reach) {
+  const Vec2 low = (p - map.origin - Vec2::Constant(reach)) / map.cell,
+             high = (p - map.origin + Vec2::Constant(reach)) / map.cell;
+  const int left = std::max(0, static_cast<int>(std::ceil(low.x()))),
+            right = std::min(map.width - 1, static_cast<int>(std::floor(high.x())));
+  const int bottom = std::max(0, static_cast<int>(std::ceil(low.y()))),
+            top = std::min(map.height - 1, static_cast<int>(std::floor(high.y())));
   double found = -std::numeric_limits<double>::infinity();
-  const double reach = (radius + heights_.cell) * (radius + heights_.cell);
   for (int row = bottom; row <= top; ++row)
     for (int column = left; column <= right; ++column)
-      if (heights_.at(column, row) > found && (heights_.place(column, row) - p).squaredNorm() <= reach)
-        found = heights_.at(column, row);
+      if (map.at(column, row) > found && (map.place(column, row) - p).squaredNorm() <= reach * reach)
+        found = map.at(column, row);
   return found;
 }
 
+namespace {
+
+// A path that only just misses material for a short way is not divided: in radii of the tool.
+constexpr double wider = 1.25, longest_gap = 12;
+
+/// Fills gaps between true values of at most `most` values along which `near(i)` holds.
+template <class Near>
+void keep_along_material(std::vector<bool>& meets, const Near& near, std::size_t most) {
+  std::size_t last = meets.size();  // the last true value
+  for (std::size_t i = 0; i < meets.size(); ++i) {
+    if (!meets[i]) continue;
+    if (last < i && i - last - 1 <= most) {
+      std::size_t k = last + 1;
+      while (k < i && near(k)) ++k;
+      if (k == i)
+        for (k = last + 1; k < i; ++k) meets[k] = true;
+    }
+    last = i;
+  }
+}
+
+}  // namespace
+
 std::vector<Path> where_material(const std::vector<Path>& paths, const Material& material, double radius) {
   std::vector<Path> out;
-  const double step = std::max(material.heights().cell, radius / 3), least = 1e-3;
+  const double step = std::max(material.cell(), radius / 3), least = 1e-3;
   for (const Path& path : paths) {
     std::vector<PathPoint> points;
     for (const PathPoint& p : points_along(path, step)) {
@@ -77,9 +116,14 @@ std::vector<Path> where_material(const std::vector<Path>& paths, const Material&
       }
       points.push_back(p);
     }
+    const auto meets_within = [&](const PathPoint& p, double reach) {
+      return material.certain(p.at.head<2>(), reach) > p.at.z() + least;
+    };
     std::vector<bool> meets(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      meets[i] = material.highest(points[i].at.head<2>(), radius) > points[i].at.z() + least;
+    for (std::size_t i = 0; i < points.size(); ++i) meets[i] = meets_within(points[i], radius);
+    keep_along_material(
+        meets, [&](std::size_t i) { return meets_within(points[i], wider * radius); },
+        static_cast<std::size_t>(longest_gap * radius / step));
     if (std::none_of(meets.begin(), meets.end(), [](bool b) { return b; })) continue;
     if (std::all_of(meets.begin(), meets.end(), [](bool b) { return b; })) {
       out.push_back(path);

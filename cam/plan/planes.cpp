@@ -77,24 +77,6 @@ bool Reached::touches(const Vec3& point, const Vec3& normal, double tolerance) c
   return tips_->tip(tip_at) <= tip + tolerance;
 }
 
-void take_away(Material& material, const Plane& plane, double floor, const Material& other, const Plane& other_plane) {
-  HeightMap& heights = material.heights();
-  const Rectangle known = other.heights().extent().grown(0.5 * other.heights().cell);
-  parallel_for(static_cast<std::size_t>(heights.height), [&](std::size_t row) {
-    for (int column = 0; column < heights.width; ++column) {
-      float& height = heights.at(column, static_cast<int>(row));
-      const Vec2 at = heights.place(column, static_cast<double>(row));
-      for (; height > floor; height = std::max(static_cast<float>(floor), height - static_cast<float>(heights.cell))) {
-        // Slightly below the top of the remainder, as the other plane sees it. Points slightly
-        // beyond its border count as border.
-        const Vec3 there = other_plane.into(plane.out_of(Vec3(at.x(), at.y(), height - 1e-4)));
-        const Vec2 nearest = there.head<2>().cwiseMax(known.lower).cwiseMin(known.upper);
-        if (other.highest(nearest, heights.cell) >= there.z() - heights.cell) break;
-      }
-    }
-  });
-}
-
 std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips,
                               const Field& part, const std::vector<Reached>& earlier, double tolerance) {
   if (earlier.empty() && !plane.to_the_middle) return paths;

@@ -43,6 +43,7 @@ void put_below_machine_zero(SimulationSetup& setup) {
   const double above = stock.lower.cwiseAbs().cwiseMax(stock.upper.cwiseAbs()).norm() + longest + margin;
   setup.zero.z() -= above;
   setup.start.at[2] -= above;
+  setup.start_given = false;
   for (AxisValues& offset : setup.work_offsets) offset.at[2] -= above;
 }
 

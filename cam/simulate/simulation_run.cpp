@@ -46,7 +46,7 @@ void SimulationRun::carry_out(const ProgramFile& program) {
   ++program_number_;
   report_.programs.push_back(program.path());
   poses_.emplace(setup_, program.path().string());
-  at_ = setup_.start, offset_ = Vec3::Zero(), known_ = false;
+  at_ = setup_.start, offset_ = Vec3::Zero(), known_ = false, height_known_ = setup_.start_given;
   spindle_turns_ = by_hand_ = false;
   ++pass_;
   // A program without tool words uses the only tool, if there is one.
@@ -89,7 +89,8 @@ void SimulationRun::mount(const Tool& tool) {
   const auto mounted = std::make_shared<Mounted>();
   mounted->tool = tool;
   mounted->solid = tool_solid(tool);
-  mounted->inner = mounted->solid.shrunk(setup_.touch);
+  // Errors of swept surfaces are no contacts.
+  mounted->inner = mounted->solid.shrunk(std::max(setup_.touch, 2 * stock_.tolerance()));
   mounted_ = mounted;
   tool_number_ = tool.number;
   known_ = false;  // the motion to the position of the tool change and back is not part of the program
@@ -136,6 +137,8 @@ void SimulationRun::move(const Motion& motion) {
   if (!mounted_) need_tool(motion);
   if (rapid != pass_is_rapid_) ++pass_;
   pass_is_rapid_ = rapid;
+  const double risen = motion.end.at[2] + motion.tool_offset.z() - at_.at[2] - offset_.z();
+  height_known_ = height_known_ || !rapid || std::abs(risen) > 1e-9;
   const Tool& tool = mounted_->tool;
   const double tolerance = stock_.tolerance();
   // The axes stay where they were, even if the control assumes another length of tool.
@@ -157,7 +160,7 @@ void SimulationRun::move(const Motion& motion) {
   report_.seconds += seconds;
   if (rapid) report_.rapid_seconds += seconds, report_.rapid += length;
   const std::uint32_t tip = cuts_.add(cut_move(motion));
-  if (way.size() == 1 && !known_) add(way[0], way[0], motion, tip, 0);
+  if (way.size() == 1 && !known_ && height_known_) add(way[0], way[0], motion, tip, 0);
   for (std::size_t i = 1; i < way.size(); ++i)
     add(way[i - 1], way[i], motion, tip, (way[i].tip - way[i - 1].tip).norm());
   if (playback_) {
@@ -169,7 +172,7 @@ void SimulationRun::move(const Motion& motion) {
   report_.poses += way.size() - 1;
   at_ = motion.end;
   offset_ = motion.tool_offset;
-  known_ = true;
+  known_ = height_known_;
   if (strokes_.size() >= 4096) {
     flush();
     progress_.report(std::min(1.0, static_cast<double>(motion.line) / program_->lines()),
@@ -221,7 +224,7 @@ void SimulationRun::flush() {
 
 void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const StrokeResult& result) {
   const auto told = [&](Kind kind, const char* what) {
-    if (!result.points) return;
+    if (result.volume <= 0) return;
     log_.add({kind, purpose.move, result.place, result.volume,
               fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(),
                           result.place.y(), result.place.z())});

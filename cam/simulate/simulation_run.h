@@ -83,8 +83,9 @@ class SimulationRun {
   Vec3 offset_ = Vec3::Zero();  ///< length compensation in force at that position
   std::uint32_t pass_ = 0;
   bool pass_is_rapid_ = false;
-  bool known_ = false;  ///< whether the motion to the next position is known: not before the first
-                        ///< motion
+  bool known_ = false;  ///< whether the motion to the next position is known: not before the first motion
+  /// Whether the height of the axes is known. A set-up may not give it: then from the first motion along Z or feed on.
+  bool height_known_ = false;
   Placement placement_;
   bool spindle_turns_ = false;  ///< at any position of the program
   bool by_hand_ = false;        ///< tools are changed at stops, independently of the program's tool

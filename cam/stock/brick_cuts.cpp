@@ -25,6 +25,14 @@ float crossing_between(const Index3& p, const Index3& q, int d, bool after, cons
   return after ? std::clamp(across.exit[line], place, other) : std::clamp(across.entry[line], other, place);
 }
 
+/// The place on a lattice line along `axis`, mm from the lattice's corner.
+Vec3 place_on(int axis, int u, int v, float along, const StockLattice& lattice) {
+  Vec3 place;
+  place[axis] = along;
+  place[axis_u(axis)] = lattice.at(axis_u(axis), u), place[axis_v(axis)] = lattice.at(axis_v(axis), v);
+  return place;
+}
+
 /// Whether the reached points meet a cell or are adjacent to it.
 bool come_near(const Region& cell, const Region& reach) {
   for (std::size_t a = 0; a < 3; ++a)
@@ -188,13 +196,15 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
                             std::max({static_cast<double>(a), static_cast<double>(lower.at), from_mm});
       if (length > 0) {
         const double share = (u == 0 || u == cells_u ? 0.5 : 1) * (v == 0 || v == cells_v ? 0.5 : 1);
+        // The first place counts; a lattice point is preferred below.
+        if (result.volume == 0)
+          result.place = place_on(axis, u, v, std::max({a, lower.at, static_cast<float>(from_mm)}), lattice);
         result.volume += share * length * lattice.spacing()[ua] * lattice.spacing()[va];
       }
       const int met = std::min(points.last, k1) - std::max(points.first, k0) + 1;
       if (met > 0) {
         result.points += static_cast<std::uint64_t>(met);
-        const Index3 p = point_of(axis, u, v, std::max(points.first, k0));
-        for (int d = 0; d < 3; ++d) result.place[d] = lattice.at(d, p[static_cast<std::size_t>(d)]);
+        result.place = place_on(axis, u, v, lattice.at(axis, std::max(points.first, k0)), lattice);
       }
       if (below && above) {
         representable = false;

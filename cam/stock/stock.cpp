@@ -140,7 +140,8 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
     for (std::size_t t = 0; t < touched.size(); ++t)
       for (std::size_t k = 0; k < met[t].size(); ++k) {
         StrokeResult& result = results[begin + near[touched[t]][k]];
-        if (met[t][k].points && !result.points) result.place = met[t][k].place + lattice_.box().lower;
+        if ((met[t][k].points && !result.points) || (met[t][k].volume > 0 && result.volume == 0))
+          result.place = met[t][k].place + lattice_.box().lower;
         result.volume += met[t][k].volume;
         result.points += met[t][k].points;
       }

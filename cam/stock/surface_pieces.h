@@ -110,6 +110,8 @@ class SurfacePieces {
   /// Groups are slices across the longest side; small slices are joined.
   [[nodiscard]] std::vector<std::vector<std::size_t>> waves() const;
 
+  /// Adds the crossings of the edges that start at solid points of a brick.
+  void add_crossings(std::size_t index, const Stock& stock, std::vector<StockCrossing>& list) const;
   void make_vertices(std::size_t index, const Stock& stock);
   /// Makes a piece's triangles, and the list of their cubes if wanted.
   void march(std::size_t index, const Stock& stock, bool with_cubes = false);

@@ -258,13 +258,16 @@ def test_missing_retracts_are_found(program):
 def test_short_flutes_are_found(program):
     """Flutes are shorter than the depth of cut: the shank meets material at every cut, and nowhere else."""
     flutes = [0.4 + 0.1 * k for k in range(12)]
+    # Coarse cells miss chips at corners, of which a contact in part of a column may tell.
+    fine = program.simulate(program.lines, program.job, "_fine", cell=0.1)
+    removed = {record["line"]: record["removed"] for record in fine["lines"]}
 
     def plant(number, flute):
         setup = program.with_job(f"_s{number}", lambda text: text.replace("flute = 16", f"flute = {flute:.2f}"))
         result = program.simulate(program.lines, setup, f"_s{number}")
         lines = where(result, "shank contact")
         ok = (only(result, "shank contact")
-              and all(program.tool[line - 1] == 1 and program.removed[line] > 0 for line in lines))
+              and all(program.tool[line - 1] == 1 and removed[line] > 0 for line in lines))
         return (None if ok
                 else f"flute {flute}: {[e for e in result['events'] if e['kind'] != 'shank contact'][:3]} {len(lines)}")
 

@@ -1,6 +1,6 @@
 // Tools that are too short for a job: the depth that they reach, proved by simulation of the
 // planned program.
-#include "fieldfab/cam/plan/deep_cuts.h"
+#include "fieldfab/cam/plan/planned_stock.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -123,7 +123,8 @@ TEST_F(DeepJobs, HoldersThatMeetMaterialAreErrors) {
 
 // Passes that only repeat a higher level in the air are removed.
 TEST_F(DeepJobs, LeaveOutPassesThatCutNothing) {
-  DeepCuts stock({{-20, -20, -30}, {20, 20, 0}});
+  const Box box{{-20, -20, -30}, {20, 20, 0}};
+  PlannedStock stock(box, StockSettings::usual_cell(box));
   Tool cutter = tool("flat", 6);
   cutter.flute = 10, cutter.shank = 8;
   std::vector<Move> moves{{{-30, 0, 5}}};

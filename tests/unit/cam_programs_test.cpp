@@ -103,6 +103,19 @@ TEST(written_programs, go_up_and_over_and_then_down_after_a_tool_change) {
   same("shopbot_mm", "&Tool", "JZ,5/J3,10,10,5/J3,10,10,1/");
 }
 
+TEST(written_programs, go_up_before_and_after_the_part_is_turned_by_hand) {
+  Program program = square();
+  program.sections.push_back(program.sections[0]);
+  program.sections[1].setup = "bottom";
+  const std::string text = written(program, "linuxcnc");
+  const std::size_t stop = text.find("M0\n");
+  ASSERT_NE(stop, std::string::npos);
+  const std::size_t up = text.rfind("G53 G0 Z0", stop);
+  ASSERT_NE(up, std::string::npos);
+  EXPECT_EQ(text.find("G1", up) > stop && text.find("G0 X", up) > stop, true) << text;
+  EXPECT_EQ(approaches(text, "M0"), std::vector<std::string>{"G53 G0 Z0/G0 X10 Y10/G0 Z5/G0 Z1/"}) << text;
+}
+
 TEST(written_programs, name_stock_zero_tools_and_time) {
   const std::string text = written(two_tools(), "linuxcnc");
   EXPECT_NE(text.find("(lid  left )\n"

@@ -163,6 +163,56 @@ TEST_F(SimulationFiles, TheMachinesZeroIsAboveTheWorkWhereNobodySaysWhereItIs) {
   EXPECT_GT(events("zero = [0, 0, 0]"), 0u);
 }
 
+// A contact is as deep as the tool goes, also between the planes of the lattice, which are 0.25 mm apart.
+TEST_F(SimulationFiles, ContactsCountFromTheirLeastDepthOn) {
+  SimulationSetup fine = setup();
+  fine.touch = 0.02;
+  const auto events = [&](double z) {
+    const auto path = write(
+        "low.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y10 Z5", fmt::format("G0 Z{}", z), "G0 X30", "G0 Z5", "M2"});
+    return simulate(fine, path).events();
+  };
+  EXPECT_TRUE(events(0).empty());
+  EXPECT_TRUE(events(-0.015).empty());
+  for (const double z : {-0.03, -0.1, -0.2, -0.26}) {
+    const auto found = events(z);
+    ASSERT_EQ(found.size(), 1u) << z;
+    EXPECT_EQ(name_of(found[0].kind), "rapid contact");
+    EXPECT_EQ(found[0].move.line, 6);
+    EXPECT_NEAR(found[0].amount, 20 * 2.96 * (-z - 0.02), 0.1 * 60 * (-z - 0.02)) << z;
+    EXPECT_LE(found[0].place.z(), 0);
+    EXPECT_GE(found[0].place.z(), z);
+  }
+}
+
+// Nobody said how high the tool hangs before the program moves Z: a rapid to the first place and length compensation
+// are no contacts. What follows is examined.
+TEST_F(SimulationFiles, TheHeightIsUnknownUntilZMoves) {
+  const std::string set_up =
+      "[stock]\nlower = [0, 0, -8]\nupper = [20, 20, 4]\n"
+      "[[tool]]\nnumber = 1\nshape = \"flat\"\ndiameter = 3\nflute = 16\nlength = 60\n";
+  const auto lines_of = [&](const std::vector<std::string>& lines, const std::string& more) {
+    const SimulationSetup read = read_simulation_setup(write("setup.toml", {more, set_up}));
+    const SimulationResult result = simulate(read, write("begin.nc", lines));
+    std::vector<int> found;
+    for (const SimulationEvent& event : result.events()) found.push_back(event.move.line);
+    return found;
+  };
+  const std::vector<std::string> first{"G21 G90", "T1 M6", "S1000 M3", "G54 G0 X5 Y5", "G43 H1 Z10"};
+  const std::vector<std::string> second{"G21 G90", "T1 M6", "S1000 M3", "G43 H1", "G0 X5 Y5", "G0 Z10"};
+  for (std::vector<std::string> lines : {first, second}) {
+    lines.insert(lines.end(), {"G1 Z-1 F300", "X15", "M2"});
+    EXPECT_EQ(lines_of(lines, ""), std::vector<int>{});
+    lines.insert(lines.end() - 1, {"G0 Y15", "Z10"});
+    EXPECT_EQ(lines_of(lines, ""), std::vector<int>{static_cast<int>(lines.size()) - 2});
+    // Given heights are examined from the start.
+    EXPECT_GT(lines_of(lines, "start = [0, 0, 2]").size(), 1u);
+  }
+  // A cutter that never moves along Z is at Z 0.
+  EXPECT_EQ(lines_of({"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y5", "G1 X5 F300", "G0 X15", "M2"}, ""),
+            std::vector<int>{6});
+}
+
 // The shank meets the wall on lines of two passes, the deeper ones last: two events, each with its
 // lines and worst place.
 TEST_F(SimulationFiles, EventsOfOneKindAlongAPassAreOne) {

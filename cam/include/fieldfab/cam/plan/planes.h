@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "fieldfab/cam/plan/material.h"
 #include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/cam/plan/program.h"
 
@@ -59,10 +58,6 @@ class Reached {
   std::shared_ptr<const TipSurface> tips_;
   double steepest_;
 };
-
-/// Lowers a plane's material where operations on another plane have cut: each height becomes the highest point in its
-/// column where the other plane's material remains. Heights are never too low.
-void take_away(Material& material, const Plane& plane, double floor, const Material& other, const Plane& other_plane);
 
 /// Returns the parts of finishing paths (in plane coordinates) on which the tool touches areas that no earlier
 /// operation has reached.

@@ -64,6 +64,7 @@ struct SimulationSetup {
   std::array<AxisValues, 9> work_offsets{};
   std::array<AxisValues, 2> home{};  ///< positions of G28 and G30, machine coordinates
   AxisValues start;
+  bool start_given = true;                      ///< false: nobody said how high the axes stand at first
   std::array<std::array<double, 2>, 9> limits;  ///< lower and upper limit per axis, mm or radians
   RapidWay rapid_way = RapidWay::straight;
   Placement placement;            ///< initial placement of the part

@@ -58,7 +58,16 @@ struct Stroke {
 struct StrokeResult {
   double volume = 0;          ///< volume of material removed or met, mm^3
   std::uint64_t points = 0;   ///< number of lattice points in that volume
-  Vec3 place = Vec3::Zero();  ///< one of these points, part coordinates, mm
+  Vec3 place = Vec3::Zero();  ///< a place in that volume, one of these points if there are any; part coordinates, mm
+};
+
+/// A place where the surface crosses an edge of the lattice, from a solid point to one of air. Part coordinates, mm.
+struct StockCrossing {
+  Vec3 solid = Vec3::Zero();  ///< the solid point
+  Vec3 place = Vec3::Zero();  ///< the crossing, on the edge; at the stock's box the solid point itself
+  int axis = 0;               ///< axis of the edge
+  bool upwards = false;       ///< whether the air lies in the axis's positive direction
+  std::uint32_t cut = 0;      ///< number of the cut that made it; 0: the first surface
 };
 
 /// Statistics of a stock's structure.
@@ -106,6 +115,9 @@ class Stock {
   std::vector<StrokeResult> cut(std::span<const Stroke> strokes, Progress& progress = Progress::none());
   /// Whether a lattice point is solid.
   [[nodiscard]] bool solid(const Index3& point) const;
+  /// Returns all crossings of the surface with edges of the lattice; outside of the box everything is air. O(points of
+  /// the bricks that contain surface).
+  [[nodiscard]] std::vector<StockCrossing> crossings(Progress& progress = Progress::none()) const;
   /// Volume by integration of the columns, mm^3.
   [[nodiscard]] double volume() const;
   /// Has no sample remember a cut: all of it is a first surface, the same otherwise.

@@ -1,0 +1,11 @@
+(the router is switched by hand)
+G17 G21 G90 G94 G54
+G0 Z5
+G0 X20 Y10
+G1 Z-3 F150
+G1 X60 F800
+G3 X60 Y40 R15
+G1 X20
+G3 X20 Y10 R15
+G0 Z5
+M30
