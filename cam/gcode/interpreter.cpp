@@ -133,6 +133,10 @@ void Interpreter::select_tool() {
   if (tool < 0) refuse("T{} is below 0", tool);
   if (tool != 0 && !control_.tools.contains(tool)) control_.note(fmt::format("tool {} is not in the tool table", tool));
   control_.selected_tool = tool;
+  // Behind GRBL a person changes tools: the one that a program names is in the spindle, with M6 or without.
+  if (control_.dialect != Dialect::grbl || tool == control_.tool || block_.code(MGroup::tool) == 6) return;
+  control_.tool = tool;
+  stream_.say(Motion::Kind::tool_change);
 }
 
 void Interpreter::machine_words() {

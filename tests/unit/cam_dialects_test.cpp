@@ -116,6 +116,19 @@ TEST(Dialects, DwellAsTheControlDoes) {
   EXPECT_DOUBLE_EQ(seconds("P2", Dialect::mach3), 2);
 }
 
+TEST(Dialects, HaveTheNamedToolInTheSpindleOfGrbl) {
+  const std::string program = "G21 G90 M3 S100 T2\nG0 X1\nT2 M6\nG0 X2\nT3\nX3\nM30\n";
+  const auto tools = [&](Dialect dialect) {
+    std::vector<int> found;
+    for (const Motion& motion : gcode(program, of(dialect)).motions)
+      if (motion.kind == Kind::rapid) found.push_back(motion.tool);
+    return found;
+  };
+  EXPECT_EQ(tools(Dialect::grbl), (std::vector<int>{2, 2, 3}));
+  EXPECT_EQ(tools(Dialect::mach3), (std::vector<int>{0, 2, 2}));
+  EXPECT_NE(gcode(program, of(Dialect::grbl)).motions[1].spindle, 0);
+}
+
 TEST(Dialects, LeaveOutCommandsToTheControl) {
   const Reading r = gcode("$H\n$X\nG21\n!\nG0 X1\nM2\n", of(Dialect::grbl));
   ASSERT_EQ(r.motions.size(), 2U);
