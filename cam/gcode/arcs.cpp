@@ -38,6 +38,17 @@ void check_radii(double begin, double end, bool inch) {
 
 }  // namespace
 
+std::string without_idle_offsets(Block& block, const Modes& modes) {
+  const auto& [first, second, across] = offset_letters[static_cast<std::size_t>(modes.plane)];
+  std::string removed;
+  for (const char letter : {first, second, across}) {
+    if (!block.has(letter) || (letter != across && !block.has('r'))) continue;
+    if (block[letter] != 0) removed += fmt::format("{}{}", removed.empty() ? "" : " and ", upper(letter));
+    block.words &= ~(1U << static_cast<unsigned>(letter - 'a'));
+  }
+  return removed.empty() ? removed : fmt::format("{} of an arc that has no use for it: passed over", removed);
+}
+
 Circle circle_of(const Block& block, const Modes& modes, int direction, const Vec2& from, const Vec2& to) {
   const auto& [first, second, other] = offset_letters[static_cast<std::size_t>(modes.plane)];
   Circle circle;

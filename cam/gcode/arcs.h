@@ -16,4 +16,8 @@ struct Circle {
 /// tolerances.
 Circle circle_of(const Block& block, const Modes& modes, int direction, const Vec2& from, const Vec2& to);
 
+/// Removes the words of an arc that controls other than LinuxCNC's ignore: the offset across the plane (posts write
+/// K0 in the XY plane), and offsets beside R. Returns a note for those that are not 0, or an empty string.
+std::string without_idle_offsets(Block& block, const Modes& modes);
+
 }  // namespace fieldfab::cam::gcode

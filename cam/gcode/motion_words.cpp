@@ -90,7 +90,10 @@ void MotionWords::arc(const Block& block, int code) {
   control_.require_feed(block);
   const AxisValues to = control_.target(block);
   const int direction = code == 30 ? 1 : -1;
-  stream_.arc(to, circle_of(block, control_.modes, direction, in_plane(control_.at, axes), in_plane(to, axes)));
+  Block words = block;
+  if (control_.dialect != Dialect::linuxcnc)
+    if (const std::string note = without_idle_offsets(words, control_.modes); !note.empty()) control_.note(note);
+  stream_.arc(to, circle_of(words, control_.modes, direction, in_plane(control_.at, axes), in_plane(to, axes)));
 }
 
 /// G33 and G33.1: a feed of K per revolution.

@@ -129,6 +129,22 @@ TEST(Dialects, HaveTheNamedToolInTheSpindleOfGrbl) {
   EXPECT_NE(gcode(program, of(Dialect::grbl)).motions[1].spindle, 0);
 }
 
+TEST(Dialects, IgnoreOffsetsAcrossThePlaneOfArcs) {
+  const std::string arc = "G21 G90 G17 F100\nG1 X7 Y10\nG2 X10 Y13 Z-2 I3 J0 K";
+  refused(arc + "0\n", 3, "K in an arc");
+  for (const Dialect dialect : forgiving) {
+    const Reading r = gcode(arc + "0\nM30\n", of(dialect)), other = gcode(arc + "1\nM30\n", of(dialect));
+    ASSERT_EQ(r.motions.size(), 3U);
+    EXPECT_EQ(r.motions[1].kind, Kind::arc);
+    near({r.motions[1].centre.x(), r.motions[1].centre.y(), 0}, {10, 10, 0});
+    EXPECT_FALSE(r.noted("passed over"));
+    EXPECT_TRUE(other.noted("K of an arc"));
+    const Reading both = gcode("G21 G90 G18 F100\nG1 X0 Z0\nG2 X10 Z0 R5 I4 J0 K0\nM30\n", of(dialect));
+    near({both.motions[1].centre.x(), both.motions[1].centre.y(), 0}, {0, 5, 0});
+    EXPECT_TRUE(both.noted("I of an arc"));
+  }
+}
+
 TEST(Dialects, LeaveOutCommandsToTheControl) {
   const Reading r = gcode("$H\n$X\nG21\n!\nG0 X1\nM2\n", of(Dialect::grbl));
   ASSERT_EQ(r.motions.size(), 2U);
