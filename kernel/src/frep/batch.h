@@ -60,18 +60,25 @@ using RunGradients = void (*)(const BatchRun&, float* out, float* dx, float* dy,
 /// finite. Their intervals and choices are invalid; use evaluate_ranges() for them.
 using RunIntervals = std::uint32_t (*)(const IntervalRun&, LaneRanges& root);
 
-/// One operation on n points. `in` holds n first and n second arguments. For partial derivatives, n
-/// values follow them, and `out` gets n derivatives by the first and n by the second argument. For
-/// intervals, `in` holds n lower and n upper ends of the first and of the second arguments, and
-/// `out` gets n lower and n upper ends and n marks, with all bits set if a number is not finite.
-using RunOperation = void (*)(Opcode op, const float* in, float* out, std::size_t n);
+/// One operation on as many points as a vector has lanes, n, for machine code of that width. `in`
+/// holds n first and n second arguments. For partial derivatives, n values follow them, and `out`
+/// gets n derivatives by the first and n by the second argument. For intervals, `in` holds n lower
+/// and n upper ends of the first and of the second arguments, and `out` gets n lower and n upper
+/// ends and n marks, with all bits set if a number is not finite.
+using LaneOperation = void (*)(const float* in, float* out);
+
+/// LaneOperations by opcode.
+struct LaneOperations {
+  LaneOperation by_opcode[opcode_count];
+  LaneOperation operator[](Opcode op) const { return by_opcode[static_cast<std::size_t>(op)]; }
+};
 
 /// The evaluators for one instruction set.
 struct Runners {
   RunValues values;
   RunGradients gradients;
   RunIntervals intervals;
-  RunOperation operation, partials, interval;
+  const LaneOperations *operations, *partials, *lane_intervals;  ///< null for the reference
 };
 extern const Runners reference_runners, portable_runners, avx2_runners, avx512_runners;
 

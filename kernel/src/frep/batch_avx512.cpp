@@ -3,7 +3,7 @@
 
 namespace fieldfab::frep {
 
-constinit const Runners avx512_runners{run_values,    run_gradients,          run_intervals,
-                                       run_operation, run_operation_partials, run_operation_interval};
+constinit const Runners avx512_runners{run_values,       run_gradients,  run_intervals,
+                                       &lane_operations, &lane_partials, &lane_intervals};
 
 }  // namespace fieldfab::frep

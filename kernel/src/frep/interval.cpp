@@ -4,16 +4,13 @@
 
 #include "batch.h"
 #include "fieldfab/frep/reference.h"
+#include "functions.h"
 #include "interval_arithmetic.h"
 
 namespace fieldfab::frep {
 namespace {
 
-/// The functions are accurate to about one ulp and nearly, but not provably, monotone; four ulps
-/// are a safe margin.
-constexpr float margin = 6e-7F, smallest = 1e-44F;
-
-constexpr float largest = std::numeric_limits<float>::max();
+constexpr float margin = function_margin, smallest = function_slack, largest = largest_float;
 
 float down(float value) { return std::min(value, largest) - (std::min(std::abs(value), largest) * margin + smallest); }
 float up(float value) { return std::max(value, -largest) + (std::min(std::abs(value), largest) * margin + smallest); }
@@ -64,7 +61,7 @@ Interval tangent(const Interval& a) {
   constexpr double slack = 1e-6;
   if (std::floor((a.upper + pi / 2 + slack) / pi) > std::floor((a.lower + pi / 2 - slack) / pi))
     return {-infinity, infinity, nan};
-  return widened(std::tan(a.lower), std::tan(a.upper), nan);
+  return widened(apply(Opcode::tangent, a.lower), apply(Opcode::tangent, a.upper), nan);
 }
 
 /// Applies a function that is increasing over its domain [low, high] and NaN outside.
@@ -81,7 +78,7 @@ Interval power(const Interval& a, const Interval& b, bool nan) {
     const float n = b.lower;
     if (n == 0) return {1, 1, nan};
     if (n < 0 && has_zero(a)) return {-infinity, infinity, nan};
-    const float l = std::pow(a.lower, n), u = std::pow(a.upper, n);
+    const float l = apply(Opcode::power, a.lower, n), u = apply(Opcode::power, a.upper, n);
     if (l != l || u != u) return Interval::unknown();
     const bool even = std::fmod(n, 2.0F) == 0;
     const float least = even && has_zero(a) ? 0 : std::min(l, u);
@@ -92,7 +89,7 @@ Interval power(const Interval& a, const Interval& b, bool nan) {
     float lower = infinity, upper = -infinity;
     for (const float x : {a.lower, a.upper})
       for (const float y : {b.lower, b.upper}) {
-        const float value = std::pow(x, y);
+        const float value = apply(Opcode::power, x, y);
         if (value != value) return Interval::unknown();
         lower = std::min(lower, value);
         upper = std::max(upper, value);
@@ -112,7 +109,7 @@ Interval arctangent2(const Interval& y, const Interval& x, bool nan) {
     float lower = infinity, upper = -infinity;
     for (const float a : {y.lower, y.upper})
       for (const float b : {x.lower, x.upper}) {
-        const float value = std::atan2(a, b);
+        const float value = apply(Opcode::arctangent2, a, b);
         lower = std::min(lower, value);
         upper = std::max(upper, value);
       }
@@ -143,12 +140,14 @@ Interval apply(Opcode op, Interval a, Interval b) {
     case Opcode::sine:
     case Opcode::cosine: return wave(op, a);
     case Opcode::tangent: return tangent(a);
-    case Opcode::arcsine: return growing(a, -1, 1, [](float v) { return std::asin(v); });
+    case Opcode::arcsine: return growing(a, -1, 1, [](float v) { return apply(Opcode::arcsine, v); });
     case Opcode::arccosine: {
-      const Interval flipped = growing({-a.upper, -a.lower, a.maybe_nan}, -1, 1, [](float v) { return std::acos(-v); });
+      const Interval flipped =
+          growing({-a.upper, -a.lower, a.maybe_nan}, -1, 1, [](float v) { return apply(Opcode::arccosine, -v); });
       return flipped;
     }
-    case Opcode::arctangent: return growing(a, -infinity, infinity, [](float v) { return std::atan(v); });
+    case Opcode::arctangent:
+      return growing(a, -infinity, infinity, [](float v) { return apply(Opcode::arctangent, v); });
     case Opcode::absolute: return absolute(a);
     case Opcode::square: return square(a);
     case Opcode::square_root:
@@ -156,10 +155,10 @@ Interval apply(Opcode op, Interval a, Interval b) {
       return {std::sqrt(std::max(a.lower, 0.0F)), std::sqrt(a.upper), nan || a.lower < 0};
     case Opcode::negate: return negate(a);
     case Opcode::exponential: {
-      const Interval wide = growing(a, -infinity, infinity, [](float v) { return std::exp(v); });
+      const Interval wide = growing(a, -infinity, infinity, [](float v) { return apply(Opcode::exponential, v); });
       return {std::max(0.0F, wide.lower), wide.upper, wide.maybe_nan};
     }
-    case Opcode::logarithm: return growing(a, 0, infinity, [](float v) { return std::log(v); });
+    case Opcode::logarithm: return growing(a, 0, infinity, [](float v) { return apply(Opcode::logarithm, v); });
     case Opcode::floor: return {std::floor(a.lower), std::floor(a.upper), nan};
     case Opcode::ceiling: return {std::ceil(a.lower), std::ceil(a.upper), nan};
     case Opcode::add: return add(a, b, nan);
