@@ -5,7 +5,7 @@ Each interpolates a function at Chebyshev nodes, which is nearly the best that i
 is given, so that the function of a tiny argument is exact.
 """
 
-from mpmath import asin, atan, atanh, cos, exp, fabs, linspace, log, lu_solve, matrix, mp, mpf, nstr, pi, sin, sqrt, tan
+from mpmath import asin, atan, atanh, cos, fabs, linspace, log, lu_solve, matrix, mp, mpf, nstr, pi, sin, sqrt, tan
 
 mp.dps = 60
 
@@ -39,7 +39,7 @@ def of_square(function):
 fit("sine_series", of_square(sin), 0, (pi / 2) ** 2, 7)
 fit("short_sine_series", of_square(sin), 0, (pi / 4) ** 2, 5)
 fit("short_cosine_series", lambda s: cos(sqrt(s)), 0, (pi / 4) ** 2, 6)
-fit("exponential_series", exp, -log(2) / 2 * (1 + mpf("1e-6")), log(2) / 2, 9, slope=mpf(1))
+fit("exponential_series", lambda t: mpf(2) ** t, -mpf(1) / 2 * (1 + mpf("1e-6")), mpf(1) / 2, 9, slope=log(2))
 fit("logarithm_series", of_square(lambda f: 2 * atanh(f)), 0, ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2, 6, first=2)
 fit("arctangent_series", of_square(atan), 0, tan(pi / 8) ** 2, 9)
 fit("arcsine_series", of_square(asin), 0, mpf(1) / 4, 10)

@@ -109,27 +109,25 @@ template <std::size_t n>
   return rounded<n>(from_bits<n>(above) / from_bits<n>(below));
 }
 
-/// e^r for |r| <= ln(2) / 2.
+/// 2^t for |t| <= 1/2.
 constexpr double exponential_series[] = {1.0,
-                                         1.0,
-                                         0.49999999999797934,
-                                         0.16666666666648303,
-                                         0.04166666689095835,
-                                         0.00833333335371728,
-                                         0.0013888821677361276,
-                                         0.00019841208756747798,
-                                         2.487616417198313e-05,
-                                         2.7625102141110352e-06};
+                                         0.6931471805599453,
+                                         0.2402265069581299,
+                                         0.055504108664760424,
+                                         0.009618129159402869,
+                                         0.0013333558179043307,
+                                         0.0001540345585215541,
+                                         1.5252686846079744e-05,
+                                         1.3255224958253546e-06,
+                                         1.0203121113519707e-07};
 
 /// e^x for any number: underflows to 0 and overflows to infinity where a float does.
 template <std::size_t n>
 [[gnu::always_inline]] inline Doubles<n> exponential_of(Doubles<n> x) {
-  const Doubles<n> near = bounded<n>(x, -104, 89);
-  const Doubles<n> shifted = near * 1.44269504088896338700 + rounder;  // 1 / ln 2
-  const Doubles<n> whole = shifted - rounder;
-  const Doubles<n> r = (near - whole * 0.693147180369123816490) - whole * 1.90821492927058770002e-10;
+  const Doubles<n> doublings = bounded<n>(x, -104, 89) * 1.44269504088896338700;  // 1 / ln 2
+  const Doubles<n> shifted = doublings + rounder, whole = shifted - rounder;
   // 2^whole is added to the exponent. (It is 0 for NaN, whose low bits are 0.)
-  return from_bits<n>(bits_of<n>(polynomial<n, exponential_series>(r)) + (bits_of<n>(shifted) << 52));
+  return from_bits<n>(bits_of<n>(polynomial<n, exponential_series>(doublings - whole)) + (bits_of<n>(shifted) << 52));
 }
 
 /// ln((1 + f) / (1 - f)) / f for |f| <= (sqrt(2) - 1) / (sqrt(2) + 1), of f^2.
@@ -210,15 +208,15 @@ template <std::size_t n>
 /// asin(x) / x for |x| <= 1/2, of x^2.
 constexpr double arcsine_series[] = {1.0,
                                      0.1666666666666218,
-                                     0.07500000003584559,
-                                     0.04464285243793872,
-                                     0.030382182776212484,
-                                     0.02236606593888501,
-                                     0.017441495685492855,
-                                     0.01318791613675373,
-                                     0.015675662527070935,
-                                     -0.0029397929067241963,
-                                     0.0279070314326661};
+                                     0.07500000003584595,
+                                     0.044642852437894766,
+                                     0.030382182778197812,
+                                     0.02236606589432528,
+                                     0.01744149624342553,
+                                     0.01318791205729391,
+                                     0.01567567982271797,
+                                     -0.002939832274133494,
+                                     0.027907068622609634};
 
 /// asin(size) for 0 <= size <= 1 as `base` + `angle` or `base` - `angle`: base is 0, or pi / 2 with the second sign for
 /// sizes above 1/2, where asin(x) = pi / 2 - 2 asin(sqrt((1 - x) / 2)).
