@@ -276,21 +276,29 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
   copy_root({slope(run.root, 2), 0}, dz, n);
 }
 
-/// One operation for machine code (see LaneOperation).
+/// One operation for machine code (see RegisterFunction).
 template <Opcode op>
-void run_lane_operation(const float* in, float* out) {
-  if constexpr (is_function(op))
-    run_lanes<op>(in, in + float_lanes, out);
-  else
-    run_clause(op, {in, 0}, {in + float_lanes, 0}, out, float_lanes);
+Vector run_register_operation(Vector a, Vector b) {
+  if constexpr (is_function(op)) {
+    Vector out = value_of<op>(a, b);
+    if constexpr (is_wave(op)) mend_far_waves<op>(a, out);
+    return out;
+  } else {
+    float in[2 * float_lanes];
+    store(in, a), store(in + float_lanes, b);
+    run_clause(op, {in, 0}, {in + float_lanes, 0}, in, float_lanes);
+    return load(in);
+  }
 }
 template <Opcode op>
 void run_lane_partials(const float* in, float* out) {
   run_partials(op, in, in + float_lanes, in + 2 * float_lanes, out, out + float_lanes, float_lanes);
 }
 
-constexpr LaneOperations lane_operations = FIELDFAB_LANE_TABLE(run_lane_operation);
-constexpr LaneOperations lane_partials = FIELDFAB_LANE_TABLE(run_lane_partials);
+RegisterFunction register_operation(Opcode op) {
+  return reinterpret_cast<RegisterFunction>(FIELDFAB_INSTANCE(run_register_operation, op));
+}
+LaneOperation lane_partials(Opcode op) { return FIELDFAB_INSTANCE(run_lane_partials, op); }
 
 }  // namespace
 }  // namespace fieldfab::frep

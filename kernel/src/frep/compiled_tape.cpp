@@ -109,16 +109,14 @@ class ValuesCode {
   }
 
   void call(std::size_t i, const Vec& a, const Vec& b, const Vec& to) {
-    constexpr int in = VectorAssembler::frame_call, made = in + 2;
-    const Clause& clause = tape_.code[i];
-    out_.store(out_.frame(in), a);
-    if (arity(clause.op) == 2) out_.store(out_.frame(in + 1), b);
     for (std::uint32_t slot = 0; slot < slot_registers_; ++slot)
       if (in_registers_[slot] && last_use_[holds_[slot]] > i)
         out_.store(in_frame(slot), out_.vector(static_cast<int>(slot)));
-    out_.call((*helpers_.operations)[clause.op], in, made);
+    out_.load(a_, a);
+    if (arity(tape_.code[i].op) == 2) out_.load(b_, b);
+    out_.call(helpers_.operation(tape_.code[i].op), a_, b_);
     in_registers_.fill(false);
-    out_.load(to, out_.frame(made));
+    out_.load(to, out_.vector(0));
   }
 
   VectorAssembler& out_;
@@ -180,11 +178,9 @@ class GradientsCode {
     out_.load(a_, value(clause.a));
     out_.load(b_, value(clause.b));
     if (!emit_value(out_, clause.op, value_, a_, b_, t_, out_.mask(7))) {
-      constexpr int in = VectorAssembler::frame_call;
-      out_.store(out_.frame(in), a_);
-      out_.store(out_.frame(in + 1), b_);
-      out_.call((*helpers_.operations)[clause.op], in, in + 2);
-      out_.load(a_, out_.frame(in)), out_.load(b_, out_.frame(in + 1)), out_.load(value_, out_.frame(in + 2));
+      out_.call(helpers_.operation(clause.op), a_, b_);
+      out_.load(value_, out_.vector(0));
+      out_.load(a_, value(clause.a)), out_.load(b_, value(clause.b));
     }
     const std::uint8_t wanted = axes;
     if (wanted != 0) prepare(clause);
@@ -243,7 +239,7 @@ class GradientsCode {
       default: {
         constexpr int in = VectorAssembler::frame_call;
         out_.store(out_.frame(in), a_), out_.store(out_.frame(in + 1), b_), out_.store(out_.frame(in + 2), value_);
-        out_.call((*helpers_.partials)[clause.op], in, in + 3);
+        out_.call(helpers_.partials(clause.op), in, in + 3);
         out_.load(a_, out_.frame(in + 3)), out_.load(b_, out_.frame(in + 4)), out_.load(value_, out_.frame(in + 2));
       }
     }
@@ -456,7 +452,7 @@ class IntervalsCode {
     out_.store(out_.frame(in), a_.lower), out_.store(out_.frame(in + 1), a_.upper);
     out_.store(out_.frame(in + 2), b_.lower), out_.store(out_.frame(in + 3), b_.upper);
     out_.store(out_.frame(kept), wild_);
-    out_.call((*helpers_.lane_intervals)[op], in, made);
+    out_.call(helpers_.lane_interval(op), in, made);
     out_.load(made_.lower, out_.frame(made)), out_.load(made_.upper, out_.frame(made + 1));
     out_.load(wild_, out_.frame(kept));
     out_.binary(Inst::kIdVorps, wild_, wild_, out_.frame(made + 2));

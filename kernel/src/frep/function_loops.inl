@@ -54,22 +54,28 @@ template <Opcode op>
                    function_in_lanes<op, n>(upper_half<n>(a), upper_half<n>(b)));
 }
 
-/// Replaces the results of some lanes, arguments beyond wave_limit.
+/// Replaces the results of arguments beyond wave_limit, which are rare.
 template <Opcode op>
-[[gnu::noinline]] void mend_far_waves(const Vector& in, std::uint32_t lanes, float* out) {
+[[gnu::noinline]] void mend_some(const Vector& in, std::uint32_t lanes, Vector& out) {
   for (std::size_t i = 0; i < float_lanes; ++i)
     if ((lanes >> i & 1U) != 0) out[i] = apply(op, in[i]);
+}
+template <Opcode op>
+[[gnu::always_inline]] inline void mend_far_waves(const Vector& in, Vector& out) {
+  const std::uint32_t near = lanes_of((in <= wave_limit) & (in >= -wave_limit)), every = (1U << float_lanes) - 1;
+  if (near == every) return;
+  Vector mended = out;
+  mend_some<op>(in, near ^ every, mended);
+  out = mended;
 }
 
 /// out[i] = op(a[i], b[i]) for float_lanes numbers. `out` may be `a` or `b`.
 template <Opcode op>
 [[gnu::always_inline]] inline void run_lanes(const float* a, const float* b, float* out) {
   const Vector in = load(a);
-  store(out, value_of<op>(in, load(b)));
-  if constexpr (is_wave(op)) {
-    const std::uint32_t near = lanes_of((in <= wave_limit) & (in >= -wave_limit)), every = (1U << float_lanes) - 1;
-    if (near != every) mend_far_waves<op>(in, near ^ every, out);
-  }
+  Vector made = value_of<op>(in, load(b));
+  if constexpr (is_wave(op)) mend_far_waves<op>(in, made);
+  store(out, made);
 }
 
 /// An argument of a function: an array that goes on, or float_lanes numbers again and again.
@@ -111,16 +117,17 @@ void run_function(Opcode op, LaneArgument a, LaneArgument b, float* out, std::si
 #undef FIELDFAB_CASE
 }
 
-/// The instances of a function template for all operations of tapes, by opcode.
-#define FIELDFAB_LANE_TABLE(function) \
-  make_lane_table([]<std::size_t op>() { return function<static_cast<Opcode>(op)>; })
-template <class Instance, std::size_t... op>
-constexpr LaneOperations make_lane_table(const Instance& instance, std::index_sequence<op...>) {
-  return {{instance.template operator()<op>()...}};
+/// The instance for an operation of a function template.
+#define FIELDFAB_INSTANCE(function, op) \
+  instance_of([]<std::size_t number>() { return function<static_cast<Opcode>(number)>; }, op)
+template <class Instance, std::size_t... number>
+auto instance_of(const Instance& instance, Opcode op, std::index_sequence<number...> /*all*/) {
+  constexpr decltype(instance.template operator()<0>()) table[] = {Instance().template operator()<number>()...};
+  return table[static_cast<std::size_t>(op)];
 }
 template <class Instance>
-constexpr LaneOperations make_lane_table(const Instance& instance) {
-  return make_lane_table(instance, std::make_index_sequence<opcode_count>());
+auto instance_of(const Instance& instance, Opcode op) {
+  return instance_of(instance, op, std::make_index_sequence<opcode_count>());
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ template <Opcode op>
 void run_lane_interval(const float* in, float* out) {
   run_span_of<op>(in, in + width, in + 2 * width, in + 3 * width, out, out + width, out + 2 * width);
 }
-constexpr LaneOperations lane_intervals = FIELDFAB_LANE_TABLE(run_lane_interval);
+LaneOperation lane_interval(Opcode op) { return FIELDFAB_INSTANCE(run_lane_interval, op); }
 
 std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
   constexpr std::size_t most_parts = box_lanes / width;
