@@ -4,10 +4,9 @@
 // same bits, whatever the C library.
 //
 // Each is computed in double precision without branches: the argument is reduced to a small range,
-// where a polynomial is accurate to 1e-13. A result is therefore the nearest float, or in about one
-// case of a million its neighbour. Polynomials interpolate at Chebyshev nodes, which is nearly the
-// best, with the exact first coefficient, so that functions of tiny arguments are exact; packaging/fit_functions.py
-// computes them.
+// where a polynomial is accurate to 1e-13. A result is therefore the nearest float, or in less than
+// one case of a million its neighbour; docs/f-reps.md has the counts. packaging/fit_functions.py
+// computes the coefficients. The first is exact, so that functions of tiny arguments are.
 //
 // Internal linkage on purpose: each instruction set compiles its own copy.
 #pragma once
@@ -34,13 +33,13 @@ template <std::size_t n, const auto& coefficients, std::size_t first, std::size_
   if constexpr (count == 1) {
     return all<n>(coefficients[first]);
   } else {
-    constexpr std::size_t low = std::bit_floor(count - 1);
+    constexpr std::size_t low = std::bit_floor(count - 1), level = std::bit_width(low) - 1;
     return partial_polynomial<n, coefficients, first, low>(powers) +
-           powers[std::bit_width(low) - 1] * partial_polynomial<n, coefficients, first + low, count - low>(powers);
+           powers[level] * partial_polynomial<n, coefficients, first + low, count - low>(powers);
   }
 }
 
-/// Value of a polynomial, lowest coefficient first, by Estrin's scheme: halves are independent, so
+/// Returns the value of a polynomial, lowest coefficient first, by Estrin's scheme: halves are independent, so
 /// that the processor computes them side by side.
 template <std::size_t n, const auto& coefficients>
 [[gnu::always_inline]] inline Doubles<n> polynomial(Doubles<n> x) {
@@ -171,8 +170,7 @@ constexpr double arctangent_series[] = {1.0,
                                         0.05168833842575298,
                                         -0.027232867108164412};
 
-/// atan(above / below) for numbers that are not negative. An argument may be infinite, or both 0
-/// with the result NaN.
+/// atan(above / below) for numbers that are not negative; one may be 0 or infinite.
 template <std::size_t n>
 [[gnu::always_inline]] inline Doubles<n> arctangent_of(Doubles<n> above, Doubles<n> below) {
   // Addition theorem of tan: the result is base + atan(t) with |t| <= tan(pi / 8).
@@ -218,8 +216,8 @@ constexpr double arcsine_series[] = {1.0,
                                      -0.002939832274133494,
                                      0.027907068622609634};
 
-/// asin(size) for 0 <= size <= 1 as `base` + `angle` or `base` - `angle`: base is 0, or pi / 2 with the second sign for
-/// sizes above 1/2, where asin(x) = pi / 2 - 2 asin(sqrt((1 - x) / 2)).
+/// asin(size) for 0 <= size <= 1: `angle`, or pi / 2 - `angle` if `steep`, by asin(x) = pi / 2 - 2 asin(sqrt((1 - x) /
+/// 2)).
 template <std::size_t n>
 struct Arcsine {
   Doubles<n> angle;
