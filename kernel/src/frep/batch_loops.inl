@@ -277,28 +277,33 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
 }
 
 /// One operation for machine code (see RegisterFunction).
-template <Opcode op>
-Vector run_register_operation(Vector a, Vector b) {
-  if constexpr (is_function(op)) {
-    Vector out = value_of<op>(a, b);
-    if constexpr (is_wave(op)) mend_far_waves<op>(a, out);
-    return out;
-  } else {
-    float in[2 * float_lanes];
-    store(in, a), store(in + float_lanes, b);
-    run_clause(op, {in, 0}, {in + float_lanes, 0}, in, float_lanes);
-    return load(in);
+struct RegisterOperation {
+  template <Opcode op>
+  static Vector run(Vector a, Vector b) {
+    if constexpr (is_function(op)) {
+      Vector out = value_of<op>(a, b);
+      if constexpr (is_wave(op)) mend_far_waves<op>(a, out);
+      return out;
+    } else {
+      float in[2 * float_lanes];
+      store(in, a), store(in + float_lanes, b);
+      run_clause(op, {in, 0}, {in + float_lanes, 0}, in, float_lanes);
+      return load(in);
+    }
   }
-}
-template <Opcode op>
-void run_lane_partials(const float* in, float* out) {
-  run_partials(op, in, in + float_lanes, in + 2 * float_lanes, out, out + float_lanes, float_lanes);
-}
+};
+/// Partial derivatives for machine code (see LaneOperation).
+struct LanePartials {
+  template <Opcode op>
+  static void run(const float* in, float* out) {
+    run_partials(op, in, in + float_lanes, in + 2 * float_lanes, out, out + float_lanes, float_lanes);
+  }
+};
 
 RegisterFunction register_operation(Opcode op) {
-  return reinterpret_cast<RegisterFunction>(FIELDFAB_INSTANCE(run_register_operation, op));
+  return reinterpret_cast<RegisterFunction>(instance_of<RegisterOperation>(op));
 }
-LaneOperation lane_partials(Opcode op) { return FIELDFAB_INSTANCE(run_lane_partials, op); }
+LaneOperation lane_partials(Opcode op) { return instance_of<LanePartials>(op); }
 
 }  // namespace
 }  // namespace fieldfab::frep

@@ -117,17 +117,16 @@ void run_function(Opcode op, LaneArgument a, LaneArgument b, float* out, std::si
 #undef FIELDFAB_CASE
 }
 
-/// The instance for an operation of a function template.
-#define FIELDFAB_INSTANCE(function, op) \
-  instance_of([]<std::size_t number>() { return function<static_cast<Opcode>(number)>; }, op)
-template <class Instance, std::size_t... number>
-auto instance_of(const Instance& instance, Opcode op, std::index_sequence<number...> /*all*/) {
-  constexpr decltype(instance.template operator()<0>()) table[] = {Instance().template operator()<number>()...};
+/// Returns Family::run<op>.
+template <class Family, std::size_t... number>
+auto instance_of(Opcode op, std::index_sequence<number...> /*all*/) {
+  constexpr decltype(&Family::template run<Opcode::constant>) table[] = {
+      &Family::template run<static_cast<Opcode>(number)>...};
   return table[static_cast<std::size_t>(op)];
 }
-template <class Instance>
-auto instance_of(const Instance& instance, Opcode op) {
-  return instance_of(instance, op, std::make_index_sequence<opcode_count>());
+template <class Family>
+auto instance_of(Opcode op) {
+  return instance_of<Family>(op, std::make_index_sequence<opcode_count>());
 }
 
 }  // namespace

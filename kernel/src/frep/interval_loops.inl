@@ -159,11 +159,13 @@ std::uint32_t run_other(Opcode op, const LaneRanges& a, const LaneRanges& b, Lan
 }
 
 /// Intervals for machine code (see LaneOperation).
-template <Opcode op>
-void run_lane_interval(const float* in, float* out) {
-  run_span_of<op>(in, in + width, in + 2 * width, in + 3 * width, out, out + width, out + 2 * width);
-}
-LaneOperation lane_interval(Opcode op) { return FIELDFAB_INSTANCE(run_lane_interval, op); }
+struct LaneInterval {
+  template <Opcode op>
+  static void run(const float* in, float* out) {
+    run_span_of<op>(in, in + width, in + 2 * width, in + 3 * width, out, out + width, out + 2 * width);
+  }
+};
+LaneOperation lane_interval(Opcode op) { return instance_of<LaneInterval>(op); }
 
 std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
   constexpr std::size_t most_parts = box_lanes / width;
