@@ -4,8 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <ctime>
 #include <fstream>
+#include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/contour/contour.h"
@@ -222,6 +225,105 @@ void Evaluator(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * 4096);
 }
 BENCHMARK(Evaluator)->DenseRange(1, 6)->Unit(benchmark::kMillisecond);
+
+/// Time of the C library's functions for floats, point by point; they are the peer of ours.
+template <class Function>
+double plain_seconds(const Function& function) {
+  double best = 1e9;
+  for (int run = 0; run < 20; ++run) {
+    const auto begin = std::chrono::steady_clock::now();
+    function();
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  return best;
+}
+
+/// A transcendental function in lanes; its points a second, and how many times the C library's.
+template <class Plain>
+void Function(benchmark::State& state, frep::Opcode op, const Plain& plain) {
+  std::vector<float> x(4096), y(4096), z(4096), out(4096);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = (static_cast<float>(i % 64) + 0.5F) / 64, y[i] = (static_cast<float>(i / 64) + 0.5F) / 64;
+  const frep::Expression a = frep::Expression::x();
+  const FieldPtr field = frep::make_field(
+      frep::info(op).arity == 1 ? frep::Expression::make(op, a) : frep::Expression::make(op, a, frep::Expression::y()));
+  const double peer = plain_seconds([&] {
+    for (std::size_t i = 0; i < x.size(); ++i) out[i] = plain(x[i], y[i]);
+    benchmark::DoNotOptimize(out.data());
+  });
+  for (auto _ : state) field->values({x.data(), y.data(), z.data(), x.size()}, out.data());
+  state.SetItemsProcessed(state.iterations() * 4096);
+  state.counters["x C library"] = benchmark::Counter(peer, benchmark::Counter::kIsIterationInvariantRate);
+}
+#define FIELDFAB_FUNCTION(name, call) \
+  BENCHMARK_CAPTURE(Function, name, frep::Opcode::name, [](float a, [[maybe_unused]] float b) { return call; })
+FIELDFAB_FUNCTION(sine, std::sin(a));
+FIELDFAB_FUNCTION(cosine, std::cos(a));
+FIELDFAB_FUNCTION(tangent, std::tan(a));
+FIELDFAB_FUNCTION(arcsine, std::asin(a));
+FIELDFAB_FUNCTION(arccosine, std::acos(a));
+FIELDFAB_FUNCTION(arctangent, std::atan(a));
+FIELDFAB_FUNCTION(exponential, std::exp(a));
+FIELDFAB_FUNCTION(logarithm, std::log(a));
+FIELDFAB_FUNCTION(power, std::pow(a, b));
+FIELDFAB_FUNCTION(arctangent2, std::atan2(a, b));
+
+constexpr double blend_sharpness = 0.8;  // 1/mm
+constexpr int blend_balls = 29;
+Vec3 blend_centre(int ball) {
+  const double t = ball / (blend_balls - 1.0), angle = 6 * std::numbers::pi * t, radius = 14 * (0.4 + 0.6 * t);
+  return {radius * std::cos(angle), radius * std::sin(angle), 30 * t - 15};
+}
+
+/// Balls along a spiral, blended by exponentials: -ln(sum of exp(-k distance)) / k.
+FieldPtr exponential_blend() {
+  frep::Expression sum = 0.0;
+  for (int ball = 0; ball < blend_balls; ++ball) {
+    const Vec3 c = blend_centre(ball);
+    const frep::Expression distance =
+        sqrt(square(frep::Expression::x() - c.x()) + square(frep::Expression::y() - c.y()) +
+             square(frep::Expression::z() - c.z()));
+    sum = sum + exp((3.5 - distance) * blend_sharpness);
+  }
+  return frep::make_field(-ln(sum) / blend_sharpness);
+}
+const Box blend_box{Vec3::Constant(-20), Vec3::Constant(20)};
+
+/// Values of the blend, and how many times those of a loop in C++ with the C library's exp and log.
+void ExponentialBlendValues(benchmark::State& state) {
+  const FieldPtr field = exponential_blend();
+  std::vector<float> x(4096), y(4096), z(4096), out(4096);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = static_cast<float>(i % 16) - 8, y[i] = static_cast<float>(i / 16 % 16) - 8,
+    z[i] = static_cast<float>(i / 256) - 8;
+  std::vector<std::array<float, 3>> centres;
+  for (int ball = 0; ball < blend_balls; ++ball) {
+    const Vec3 c = blend_centre(ball);
+    centres.push_back({static_cast<float>(c.x()), static_cast<float>(c.y()), static_cast<float>(c.z())});
+  }
+  const double peer = plain_seconds([&] {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      float sum = 0;
+      for (const auto& c : centres) {
+        const float dx = x[i] - c[0], dy = y[i] - c[1], dz = z[i] - c[2];
+        sum += std::exp((3.5F - std::sqrt(dx * dx + dy * dy + dz * dz)) * static_cast<float>(blend_sharpness));
+      }
+      out[i] = -std::log(sum) / static_cast<float>(blend_sharpness);
+    }
+    benchmark::DoNotOptimize(out.data());
+  });
+  for (auto _ : state) field->values({x.data(), y.data(), z.data(), x.size()}, out.data());
+  state.SetItemsProcessed(state.iterations() * 4096);
+  state.counters["x plain C++"] = benchmark::Counter(peer, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(ExponentialBlendValues)->Unit(benchmark::kMicrosecond);
+
+void ExponentialBlendHeights512(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field = exponential_blend();
+  for (auto _ : state) benchmark::DoNotOptimize(render(*field, blend_box, {RenderMode::height, 512}));
+}
+BENCHMARK(ExponentialBlendHeights512)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

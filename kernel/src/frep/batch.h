@@ -60,18 +60,24 @@ using RunGradients = void (*)(const BatchRun&, float* out, float* dx, float* dy,
 /// finite. Their intervals and choices are invalid; use evaluate_ranges() for them.
 using RunIntervals = std::uint32_t (*)(const IntervalRun&, LaneRanges& root);
 
-/// One operation on n points. `in` holds n first and n second arguments. For partial derivatives, n
-/// values follow them, and `out` gets n derivatives by the first and n by the second argument. For
-/// intervals, `in` holds n lower and n upper ends of the first and of the second arguments, and
-/// `out` gets n lower and n upper ends and n marks, with all bits set if a number is not finite.
-using RunOperation = void (*)(Opcode op, const float* in, float* out, std::size_t n);
+/// A function for machine code: as many values as a vector has lanes, from the first vector registers
+/// to the first one. (A cast: files without these instructions cannot name its type.)
+using RegisterFunction = void (*)();
+
+/// Part of an operation for machine code, for as many points as a vector has lanes, n. For partial
+/// derivatives, `in` holds n first and n second arguments and n values, and `out` gets n derivatives
+/// by the first and n by the second argument. For intervals, `in` holds n lower and n upper ends of
+/// the first and of the second arguments, and `out` gets n lower and n upper ends and n marks, with
+/// all bits set if a number is not finite.
+using LaneOperation = void (*)(const float* in, float* out);
 
 /// The evaluators for one instruction set.
 struct Runners {
   RunValues values;
   RunGradients gradients;
   RunIntervals intervals;
-  RunOperation operation, partials, interval;
+  RegisterFunction (*operation)(Opcode);  ///< null for the reference, as are the next two
+  LaneOperation (*partials)(Opcode), (*lane_interval)(Opcode);
 };
 extern const Runners reference_runners, portable_runners, avx2_runners, avx512_runners;
 

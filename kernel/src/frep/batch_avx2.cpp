@@ -3,7 +3,7 @@
 
 namespace fieldfab::frep {
 
-constinit const Runners avx2_runners{run_values,    run_gradients,          run_intervals,
-                                     run_operation, run_operation_partials, run_operation_interval};
+constinit const Runners avx2_runners{run_values,         run_gradients, run_intervals,
+                                     register_operation, lane_partials, lane_interval};
 
 }  // namespace fieldfab::frep

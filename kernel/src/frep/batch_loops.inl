@@ -3,6 +3,7 @@
 // everything has internal linkage or is called out of line.
 #include "batch.h"
 #include "derivative.h"
+#include "function_loops.inl"
 #include "functions.h"
 
 namespace fieldfab::frep {
@@ -83,22 +84,16 @@ inline Argument argument(const BatchRun& run, Operand operand, std::size_t strid
     break;                                               \
   }
 
-/// Evaluates a function of functions.h: vector code if its kernel holds for all arguments,
-/// otherwise single calls for those outside its domain.
-template <class Kernel, class Good>
-void run_function(Opcode op, Argument first, float* out, std::size_t n, const Kernel& kernel, const Good& good) {
-  constexpr std::size_t block = 64;
-  float in[block];
-  for (std::size_t begin = 0; begin < n; begin += block) {
-    const std::size_t count = n - begin < block ? n - begin : block;
-    for (std::size_t i = 0; i < count; ++i) in[i] = first.array != nullptr ? first.array[begin + i] : first.number;
-    unsigned others = 0;
-    for (std::size_t i = 0; i < count; ++i) others |= static_cast<unsigned>(!good(in[i]));
-    for (std::size_t i = 0; i < count; ++i) out[begin + i] = kernel(in[i]);
-    if (others != 0)
-      for (std::size_t i = 0; i < count; ++i)
-        if (!good(in[i])) out[begin + i] = apply(op, in[i]);
-  }
+/// Returns an argument for functions; fills `space` with a number.
+inline LaneArgument lane_argument(const Argument& argument, float* space) {
+  if (argument.array != nullptr) return {argument.array, true};
+  for (std::size_t i = 0; i < float_lanes; ++i) space[i] = argument.number;
+  return {space, false};
+}
+
+void run_function(Opcode op, const Argument& first, const Argument& second, float* out, std::size_t n) {
+  float a[float_lanes], b[float_lanes];
+  run_function(op, lane_argument(first, a), lane_argument(second, b), out, n);
 }
 
 /// out[i] = op(first[i], second[i]). An array may be `out` itself: each element is read before it
@@ -118,16 +113,8 @@ void run_clause(Opcode op, Argument first, Argument second, float* out, std::siz
     case Opcode::minimum: FIELDFAB_BINARY(a != a ? quiet_nan : (a <= b ? a : b))
     case Opcode::maximum: FIELDFAB_BINARY(a != a ? quiet_nan : (a >= b ? a : b))
     case Opcode::modulo: FIELDFAB_BINARY(a - b * __builtin_floorf(a / b))
-    case Opcode::sine:
-      return run_function(
-          op, first, out, n, [](float a) { return wave_kernel(a, 0); }, wave_is_near);
-    case Opcode::cosine:
-      return run_function(
-          op, first, out, n, [](float a) { return wave_kernel(a, 1); }, wave_is_near);
-    case Opcode::arctangent: return run_function(op, first, out, n, arctangent_kernel, [](float) { return true; });
-    case Opcode::exponential: return run_function(op, first, out, n, exponential_kernel, [](float) { return true; });
-    case Opcode::logarithm: return run_function(op, first, out, n, logarithm_kernel, is_positive_normal);
-    default: FIELDFAB_BINARY(apply(op, a, b))
+    case Opcode::compare: FIELDFAB_BINARY(a != a || b != b ? quiet_nan : (a > b ? 1.0F : (a < b ? -1.0F : 0.0F)))
+    default: return run_function(op, first, second, out, n);
   }
 }
 
@@ -174,6 +161,7 @@ void run_partials(Opcode op, const float* a, const float* b, const float* value,
 #define FIELDFAB_PARTIALS(name) \
   case Opcode::name: return partial_loop<Opcode::name>(a, b, value, da, db, n);
   switch (op) {
+    // derivative.h has the same for one point.
     case Opcode::sine:
     case Opcode::cosine: {
       run_clause(op == Opcode::sine ? Opcode::cosine : Opcode::sine, {a, 0}, {a, 0}, da, n);
@@ -181,6 +169,16 @@ void run_partials(Opcode op, const float* a, const float* b, const float* value,
       for (std::size_t i = 0; i < n; ++i) da[i] *= sign, db[i] = 0;
       return;
     }
+    case Opcode::power:
+      for (std::size_t i = 0; i < n; ++i) db[i] = b[i] - 1;
+      run_clause(Opcode::power, {a, 0}, {db, 0}, da, n);
+      run_clause(Opcode::logarithm, {a, 0}, {a, 0}, db, n);
+      FIELDFAB_EACH
+      for (std::size_t i = 0; i < n; ++i) {
+        da[i] = b[i] == 0 ? 0.0F : b[i] * da[i];
+        db[i] = a[i] > 0 ? value[i] * db[i] : 0.0F;
+      }
+      return;
       FIELDFAB_PARTIALS(tangent)
       FIELDFAB_PARTIALS(arcsine)
       FIELDFAB_PARTIALS(arccosine)
@@ -192,7 +190,6 @@ void run_partials(Opcode op, const float* a, const float* b, const float* value,
       FIELDFAB_PARTIALS(exponential)
       FIELDFAB_PARTIALS(logarithm)
       FIELDFAB_PARTIALS(divide)
-      FIELDFAB_PARTIALS(power)
       FIELDFAB_PARTIALS(arctangent2)
       FIELDFAB_PARTIALS(modulo)
     default: return partial_loop<Opcode::floor>(a, b, value, da, db, n);
@@ -279,12 +276,34 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
   copy_root({slope(run.root, 2), 0}, dz, n);
 }
 
-void run_operation(Opcode op, const float* in, float* out, std::size_t n) {
-  run_clause(op, {in, 0}, {in + n, 0}, out, n);
+/// One operation for machine code (see RegisterFunction).
+struct RegisterOperation {
+  template <Opcode op>
+  static Vector run(Vector a, Vector b) {
+    if constexpr (is_function(op)) {
+      Vector out = value_of<op>(a, b);
+      if constexpr (is_wave(op)) mend_far_waves<op>(a, out);
+      return out;
+    } else {
+      float in[2 * float_lanes];
+      store(in, a), store(in + float_lanes, b);
+      run_clause(op, {in, 0}, {in + float_lanes, 0}, in, float_lanes);
+      return load(in);
+    }
+  }
+};
+/// Partial derivatives for machine code (see LaneOperation).
+struct LanePartials {
+  template <Opcode op>
+  static void run(const float* in, float* out) {
+    run_partials(op, in, in + float_lanes, in + 2 * float_lanes, out, out + float_lanes, float_lanes);
+  }
+};
+
+RegisterFunction register_operation(Opcode op) {
+  return reinterpret_cast<RegisterFunction>(instance_of<RegisterOperation>(op));
 }
-void run_operation_partials(Opcode op, const float* in, float* out, std::size_t n) {
-  run_partials(op, in, in + n, in + 2 * n, out, out + n, n);
-}
+LaneOperation lane_partials(Opcode op) { return instance_of<LanePartials>(op); }
 
 }  // namespace
 }  // namespace fieldfab::frep

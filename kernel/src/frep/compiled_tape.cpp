@@ -52,15 +52,21 @@ bool emit_value(VectorAssembler& out, Opcode op, const Vec& to, const Vec& a, co
   }
 }
 
-/// Code for values: the first slots are in registers, the others in the frame.
+/// Code for values: the first slots are in registers, the others in the frame. A call overwrites all
+/// registers: what is needed later is in the frame from then on, until its slot gets another value.
 class ValuesCode {
  public:
   ValuesCode(VectorAssembler& out, const Tape& tape, const Runners& helpers)
-      : out_(out), tape_(tape), helpers_(helpers) {}
+      : out_(out), tape_(tape), helpers_(helpers), last_use_(tape.code.size()) {
+    for (std::size_t i = 0; i < tape.code.size(); ++i)
+      for (const Operand operand : {tape.code[i].a, tape.code[i].b})
+        if (is_made(operand)) last_use_[operand - first_value] = i;
+    if (is_made(tape.root)) last_use_[tape.root - first_value] = tape.code.size();
+  }
 
   void emit() {
     out_.begin(3);
-    for (const Clause& clause : tape_.code) emit(clause);
+    for (std::size_t i = 0; i < tape_.code.size(); ++i) emit(i);
     out_.store_out(0, in_register(tape_.root, a_));
     out_.end();
   }
@@ -69,10 +75,11 @@ class ValuesCode {
   asmjit::Operand place(Operand operand) {
     if (is_constant(operand)) return out_.constant((*tape_.constants)[operand & ~constant_bit]);
     if (!is_made(operand)) return out_.frame(static_cast<int>(operand));
-    return home(tape_.code[operand - first_value].slot);
+    const std::uint32_t slot = tape_.code[operand - first_value].slot;
+    if (slot < slot_registers_ && in_registers_[slot]) return out_.vector(static_cast<int>(slot));
+    return in_frame(slot);
   }
-  asmjit::Operand home(std::uint32_t slot) const {
-    if (slot < slot_registers_) return out_.vector(static_cast<int>(slot));
+  asmjit::x86::Mem in_frame(std::uint32_t slot) const {
     return out_.frame(VectorAssembler::frame_slots + static_cast<int>(slot));
   }
   Vec in_register(Operand operand, const Vec& otherwise) {
@@ -82,9 +89,10 @@ class ValuesCode {
     return otherwise;
   }
 
-  void emit(const Clause& clause) {
-    const asmjit::Operand result = home(clause.slot);
-    const Vec to = result.isReg() ? result.as<Vec>() : made_;
+  void emit(std::size_t i) {
+    const Clause& clause = tape_.code[i];
+    const bool has_register = clause.slot < slot_registers_;
+    const Vec to = has_register ? out_.vector(static_cast<int>(clause.slot)) : made_;
     const auto simple = instruction(clause.op);
     const Vec a = in_register(clause.a, a_);
     if (simple && clause.b != clause.a) {
@@ -92,29 +100,31 @@ class ValuesCode {
     } else {
       const Vec b = clause.b == clause.a ? a : in_register(clause.b, b_);
       if (!emit_value(out_, clause.op, to, a, b, made_, out_.mask(static_cast<int>(slot_registers_))))
-        call(clause, a, b, to);
+        call(i, a, b, to);
     }
-    if (result.isMem()) out_.store(result.as<x86::Mem>(), to);
+    if (has_register)
+      in_registers_[clause.slot] = true, holds_[clause.slot] = i;
+    else
+      out_.store(in_frame(clause.slot), to);
   }
 
-  /// A call overwrites all registers, so they are saved in the frame.
-  void call(const Clause& clause, const Vec& a, const Vec& b, const Vec& to) {
-    constexpr int in = VectorAssembler::frame_call, made = in + 2;
-    const std::uint32_t used = std::min(tape_.slots, slot_registers_);
-    const auto in_frame = [&](std::uint32_t slot) {
-      return out_.frame(VectorAssembler::frame_slots + static_cast<int>(slot));
-    };
-    out_.store(out_.frame(in), a);
-    out_.store(out_.frame(in + 1), b);
-    for (std::uint32_t slot = 0; slot < used; ++slot) out_.store(in_frame(slot), out_.vector(static_cast<int>(slot)));
-    out_.call(helpers_.operation, clause.op, in, made);
-    for (std::uint32_t slot = 0; slot < used; ++slot) out_.load(out_.vector(static_cast<int>(slot)), in_frame(slot));
-    out_.load(to, out_.frame(made));
+  void call(std::size_t i, const Vec& a, const Vec& b, const Vec& to) {
+    for (std::uint32_t slot = 0; slot < slot_registers_; ++slot)
+      if (in_registers_[slot] && last_use_[holds_[slot]] > i)
+        out_.store(in_frame(slot), out_.vector(static_cast<int>(slot)));
+    out_.load(a_, a);
+    if (arity(tape_.code[i].op) == 2) out_.load(b_, b);
+    out_.call(helpers_.operation(tape_.code[i].op), a_, b_);
+    in_registers_.fill(false);
+    out_.load(to, out_.vector(0));
   }
 
   VectorAssembler& out_;
   const Tape& tape_;
   const Runners& helpers_;
+  std::vector<std::size_t> last_use_;    ///< the last clause that uses the value of a clause
+  std::array<bool, 32> in_registers_{};  ///< by slot
+  std::array<std::size_t, 32> holds_{};  ///< the clause whose value a slot's register holds
   // The last three registers hold operands that are not in a register.
   const std::uint32_t slot_registers_ = static_cast<std::uint32_t>(out_.registers() - 3);
   const Vec a_ = out_.vector(out_.registers() - 3), b_ = out_.vector(out_.registers() - 2),
@@ -168,11 +178,9 @@ class GradientsCode {
     out_.load(a_, value(clause.a));
     out_.load(b_, value(clause.b));
     if (!emit_value(out_, clause.op, value_, a_, b_, t_, out_.mask(7))) {
-      constexpr int in = VectorAssembler::frame_call;
-      out_.store(out_.frame(in), a_);
-      out_.store(out_.frame(in + 1), b_);
-      out_.call(helpers_.operation, clause.op, in, in + 2);
-      out_.load(a_, out_.frame(in)), out_.load(b_, out_.frame(in + 1)), out_.load(value_, out_.frame(in + 2));
+      out_.call(helpers_.operation(clause.op), a_, b_);
+      out_.load(value_, out_.vector(0));
+      out_.load(a_, value(clause.a)), out_.load(b_, value(clause.b));
     }
     const std::uint8_t wanted = axes;
     if (wanted != 0) prepare(clause);
@@ -198,6 +206,16 @@ class GradientsCode {
         break;
       }
       case Opcode::square: out_.binary(Inst::kIdVaddps, a_, a_, a_); break;
+      case Opcode::exponential: out_.load(a_, value_); break;
+      case Opcode::arctangent:
+      case Opcode::logarithm:
+        if (clause.op == Opcode::arctangent) {
+          out_.binary(Inst::kIdVmulps, a_, a_, a_);
+          out_.binary(Inst::kIdVaddps, a_, a_, out_.constant(1));
+        }
+        out_.load(t_, out_.constant(1));
+        out_.binary(Inst::kIdVdivps, a_, t_, a_);
+        break;
       case Opcode::square_root:
         out_.load(t_, out_.constant(0.5F));
         out_.binary(Inst::kIdVdivps, a_, t_, value_);
@@ -221,7 +239,7 @@ class GradientsCode {
       default: {
         constexpr int in = VectorAssembler::frame_call;
         out_.store(out_.frame(in), a_), out_.store(out_.frame(in + 1), b_), out_.store(out_.frame(in + 2), value_);
-        out_.call(helpers_.partials, clause.op, in, in + 3);
+        out_.call(helpers_.partials(clause.op), in, in + 3);
         out_.load(a_, out_.frame(in + 3)), out_.load(b_, out_.frame(in + 4)), out_.load(value_, out_.frame(in + 2));
       }
     }
@@ -434,7 +452,7 @@ class IntervalsCode {
     out_.store(out_.frame(in), a_.lower), out_.store(out_.frame(in + 1), a_.upper);
     out_.store(out_.frame(in + 2), b_.lower), out_.store(out_.frame(in + 3), b_.upper);
     out_.store(out_.frame(kept), wild_);
-    out_.call(helpers_.interval, op, in, made);
+    out_.call(helpers_.lane_interval(op), in, made);
     out_.load(made_.lower, out_.frame(made)), out_.load(made_.upper, out_.frame(made + 1));
     out_.load(wild_, out_.frame(kept));
     out_.binary(Inst::kIdVorps, wild_, wild_, out_.frame(made + 2));

@@ -1,19 +1,18 @@
 // Interval arithmetic: one operation on intervals. core/interval.h explains why IEEE operations
 // need no widening.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "batch.h"
 #include "fieldfab/frep/reference.h"
+#include "functions.h"
 #include "interval_arithmetic.h"
 
 namespace fieldfab::frep {
 namespace {
 
-/// The functions are accurate to about one ulp and nearly, but not provably, monotone; four ulps
-/// are a safe margin.
-constexpr float margin = 6e-7F, smallest = 1e-44F;
-
-constexpr float largest = std::numeric_limits<float>::max();
+constexpr float margin = function_margin, smallest = function_slack, largest = largest_float;
 
 float down(float value) { return std::min(value, largest) - (std::min(std::abs(value), largest) * margin + smallest); }
 float up(float value) { return std::max(value, -largest) + (std::min(std::abs(value), largest) * margin + smallest); }
@@ -24,6 +23,18 @@ Interval widened(float lower, float upper, bool maybe_nan) {
 Interval ordered(float lower, float upper, bool maybe_nan) {
   if (lower != lower || upper != upper) return Interval::unknown();
   return {lower, upper, maybe_nan};
+}
+
+/// Values of a function at two points, computed together: as lanes they cost little more than one.
+template <Opcode op>
+std::array<float, 2> at_both(std::array<float, 2> a, std::array<float, 2> b) {
+  const Floats<2> first{a[0], a[1]}, second{b[0], b[1]};
+  const Floats<2> values = function_in_lanes<op, 2>(first, second);
+  return {values[0], values[1]};
+}
+template <Opcode op>
+std::array<float, 2> at_both(float lower, float upper) {
+  return at_both<op>({lower, upper}, {lower, upper});
 }
 
 Interval divide(const Interval& a, const Interval& b, bool nan) {
@@ -42,14 +53,15 @@ Interval divide(const Interval& a, const Interval& b, bool nan) {
 
 /// sin over [lower, upper] for quarter 0, cos for 1. Beyond a few thousand radians the positions of
 /// the crests are too inaccurate.
-Interval wave(Opcode op, const Interval& a) {
+template <Opcode op>
+Interval wave(const Interval& a) {
   const bool nan = a.maybe_nan || has_infinity(a);
   const Interval full{-1, 1, nan};
   if (!(std::abs(a.lower) < 4096) || !(std::abs(a.upper) < 4096)) return full;
   constexpr double pi = 3.14159265358979323846;
   const double phase = op == Opcode::sine ? 0 : pi / 2, low = a.lower + phase, high = a.upper + phase;
   if (high - low >= 2 * pi) return full;
-  const float one = apply(op, a.lower), other = apply(op, a.upper);
+  const auto [one, other] = at_both<op>(a.lower, a.upper);
   float lower = std::min(one, other), upper = std::max(one, other);
   constexpr double slack = 1e-9, turn = 1 / (2 * pi);  // a crest just beyond an end counts as inside
   if (std::floor((high - pi / 2 + slack) * turn) > std::floor((low - pi / 2 - slack) * turn)) upper = 1;
@@ -64,15 +76,25 @@ Interval tangent(const Interval& a) {
   constexpr double slack = 1e-6;
   if (std::floor((a.upper + pi / 2 + slack) / pi) > std::floor((a.lower + pi / 2 - slack) / pi))
     return {-infinity, infinity, nan};
-  return widened(std::tan(a.lower), std::tan(a.upper), nan);
+  const auto [lower, upper] = at_both<Opcode::tangent>(a.lower, a.upper);
+  return widened(lower, upper, nan);
 }
 
-/// Applies a function that is increasing over its domain [low, high] and NaN outside.
-template <class Function>
-Interval growing(const Interval& a, float low, float high, const Function& function) {
+/// Applies a function that is increasing, or decreasing, over its domain [low, high] and NaN outside.
+template <Opcode op, bool falls = false>
+Interval monotone(const Interval& a, float low, float high) {
   const bool nan = a.maybe_nan || a.lower < low || a.upper > high;
   if (a.upper < low || a.lower > high) return Interval::unknown();
-  return widened(function(std::max(a.lower, low)), function(std::min(a.upper, high)), nan);
+  const auto [lower, upper] = at_both<op>(std::max(a.lower, low), std::min(a.upper, high));
+  return falls ? widened(upper, lower, nan) : widened(lower, upper, nan);
+}
+
+/// The least and the greatest value of a function at the corners of a rectangle; `maybe_nan` if one is NaN.
+template <Opcode op>
+Interval at_corners(const Interval& a, const Interval& b) {
+  const auto [ll, lu] = at_both<op>({a.lower, a.lower}, {b.lower, b.upper});
+  const auto [ul, uu] = at_both<op>({a.upper, a.upper}, {b.lower, b.upper});
+  return {std::min({ll, lu, ul, uu}), std::max({ll, lu, ul, uu}), ll != ll || lu != lu || ul != ul || uu != uu};
 }
 
 Interval power(const Interval& a, const Interval& b, bool nan) {
@@ -81,7 +103,7 @@ Interval power(const Interval& a, const Interval& b, bool nan) {
     const float n = b.lower;
     if (n == 0) return {1, 1, nan};
     if (n < 0 && has_zero(a)) return {-infinity, infinity, nan};
-    const float l = std::pow(a.lower, n), u = std::pow(a.upper, n);
+    const auto [l, u] = at_both<Opcode::power>({a.lower, a.upper}, {n, n});
     if (l != l || u != u) return Interval::unknown();
     const bool even = std::fmod(n, 2.0F) == 0;
     const float least = even && has_zero(a) ? 0 : std::min(l, u);
@@ -89,14 +111,8 @@ Interval power(const Interval& a, const Interval& b, bool nan) {
     return {even ? std::max(0.0F, wide.lower) : wide.lower, wide.upper, wide.maybe_nan};
   }
   if (a.lower > 0) {
-    float lower = infinity, upper = -infinity;
-    for (const float x : {a.lower, a.upper})
-      for (const float y : {b.lower, b.upper}) {
-        const float value = std::pow(x, y);
-        if (value != value) return Interval::unknown();
-        lower = std::min(lower, value);
-        upper = std::max(upper, value);
-      }
+    auto [lower, upper, none] = at_corners<Opcode::power>(a, b);
+    if (none) return Interval::unknown();
     // x^y has extrema inside the rectangle only where ln x or y is 0; its value is 1 there.
     if (a.lower <= 1 && a.upper >= 1) lower = std::min(lower, 1.0F), upper = std::max(upper, 1.0F);
     if (b.lower <= 0 && b.upper >= 0) lower = std::min(lower, 1.0F), upper = std::max(upper, 1.0F);
@@ -109,14 +125,8 @@ Interval power(const Interval& a, const Interval& b, bool nan) {
 Interval arctangent2(const Interval& y, const Interval& x, bool nan) {
   constexpr float pi = 3.1415927410125732F;  // float(pi), which exceeds pi
   if (x.lower > 0 || y.lower > 0 || y.upper < 0) {
-    float lower = infinity, upper = -infinity;
-    for (const float a : {y.lower, y.upper})
-      for (const float b : {x.lower, x.upper}) {
-        const float value = std::atan2(a, b);
-        lower = std::min(lower, value);
-        upper = std::max(upper, value);
-      }
-    return widened(lower, upper, nan);
+    const Interval values = at_corners<Opcode::arctangent2>(y, x);
+    return widened(values.lower, values.upper, nan);
   }
   return {-pi, pi, nan};
 }
@@ -140,15 +150,12 @@ Interval apply(Opcode op, Interval a, Interval b) {
     case Opcode::y:
     case Opcode::z:
     case Opcode::opened: return a;
-    case Opcode::sine:
-    case Opcode::cosine: return wave(op, a);
+    case Opcode::sine: return wave<Opcode::sine>(a);
+    case Opcode::cosine: return wave<Opcode::cosine>(a);
     case Opcode::tangent: return tangent(a);
-    case Opcode::arcsine: return growing(a, -1, 1, [](float v) { return std::asin(v); });
-    case Opcode::arccosine: {
-      const Interval flipped = growing({-a.upper, -a.lower, a.maybe_nan}, -1, 1, [](float v) { return std::acos(-v); });
-      return flipped;
-    }
-    case Opcode::arctangent: return growing(a, -infinity, infinity, [](float v) { return std::atan(v); });
+    case Opcode::arcsine: return monotone<Opcode::arcsine>(a, -1, 1);
+    case Opcode::arccosine: return monotone<Opcode::arccosine, true>(a, -1, 1);
+    case Opcode::arctangent: return monotone<Opcode::arctangent>(a, -infinity, infinity);
     case Opcode::absolute: return absolute(a);
     case Opcode::square: return square(a);
     case Opcode::square_root:
@@ -156,10 +163,10 @@ Interval apply(Opcode op, Interval a, Interval b) {
       return {std::sqrt(std::max(a.lower, 0.0F)), std::sqrt(a.upper), nan || a.lower < 0};
     case Opcode::negate: return negate(a);
     case Opcode::exponential: {
-      const Interval wide = growing(a, -infinity, infinity, [](float v) { return std::exp(v); });
+      const Interval wide = monotone<Opcode::exponential>(a, -infinity, infinity);
       return {std::max(0.0F, wide.lower), wide.upper, wide.maybe_nan};
     }
-    case Opcode::logarithm: return growing(a, 0, infinity, [](float v) { return std::log(v); });
+    case Opcode::logarithm: return monotone<Opcode::logarithm>(a, 0, infinity);
     case Opcode::floor: return {std::floor(a.lower), std::floor(a.upper), nan};
     case Opcode::ceiling: return {std::ceil(a.lower), std::ceil(a.upper), nan};
     case Opcode::add: return add(a, b, nan);

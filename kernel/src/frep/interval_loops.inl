@@ -1,40 +1,9 @@
 // Intervals over several boxes at once, one box per lane. Included after batch_loops.inl by the
-// files compiled for each instruction set. core/interval.h explains why nothing is widened.
-#if defined(__AVX2__)
-#include <immintrin.h>
-#elif defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
+// files compiled for each instruction set. core/interval.h explains why most are not widened.
 namespace fieldfab::frep {
 namespace {
 
-#if defined(__AVX512DQ__)
-constexpr std::size_t width = 16;
-#elif defined(__AVX2__)
-constexpr std::size_t width = 8;
-#else
-constexpr std::size_t width = 4;
-#endif
-using Vector = float __attribute__((vector_size(width * 4)));
-using Bits = std::uint32_t __attribute__((vector_size(width * 4)));
-using Mask = decltype(Vector{} < Vector{});
-
-/// Returns one bit for each lane of a comparison.
-inline std::uint32_t lanes_of(Mask mask) {
-#if defined(__AVX512DQ__)
-  return static_cast<std::uint32_t>(_mm512_movepi32_mask(reinterpret_cast<__m512i>(mask)));
-#elif defined(__AVX2__)
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
-#elif defined(__SSE2__)
-  return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
-#else
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < width; ++i) bits |= static_cast<std::uint32_t>(mask[i] != 0) << i;
-  return bits;
-#endif
-}
-
+constexpr std::size_t width = float_lanes;
 inline Vector least(Vector a, Vector b) { return a < b ? a : b; }
 inline Vector greatest(Vector a, Vector b) { return a > b ? a : b; }
 
@@ -47,14 +16,15 @@ struct Span {
 class Wildness {
  public:
   void watch(const Span& span) {
-    const Bits distance = reinterpret_cast<Bits>(span.upper - span.lower);
+    const Words distance = reinterpret_cast<Words>(span.upper - span.lower);
     largest_ = largest_ > distance ? largest_ : distance;
   }
-  void watch(Mask wild) { largest_ |= reinterpret_cast<Bits>(wild); }
-  [[nodiscard]] std::uint32_t lanes() const { return lanes_of(reinterpret_cast<Mask>(largest_ > 0x7f7fffffU)); }
+  void watch(Mask wild) { largest_ |= reinterpret_cast<Words>(wild); }
+  [[nodiscard]] Mask mask() const { return reinterpret_cast<Mask>(largest_ > 0x7f7fffffU); }
+  [[nodiscard]] std::uint32_t lanes() const { return lanes_of(mask()); }
 
  private:
-  Bits largest_{};
+  Words largest_{};
 };
 
 inline Span product(const Span& a, const Span& b) {
@@ -73,7 +43,7 @@ inline Span folded(const Span& a, Vector at_lower, Vector at_upper) {
   return {((a.lower <= 0) & (a.upper >= 0)) ? Vector{} : small, greatest(at_lower, at_upper)};
 }
 
-inline Vector magnitude(Vector a) { return reinterpret_cast<Vector>(reinterpret_cast<Bits>(a) & 0x7fffffffU); }
+inline Vector magnitude(Vector a) { return reinterpret_cast<Vector>(reinterpret_cast<Words>(a) & 0x7fffffffU); }
 
 inline Vector root_of(Vector a) {
 #if defined(__AVX512DQ__)
@@ -87,6 +57,14 @@ inline Vector root_of(Vector a) {
   return a;
 #endif
 }
+
+}  // namespace
+}  // namespace fieldfab::frep
+
+#include "interval_functions.inl"
+
+namespace fieldfab::frep {
+namespace {
 
 /// State that operations share in the lanes of one vector.
 struct Lanes {
@@ -141,33 +119,53 @@ constexpr bool in_vectors(Opcode op) {
   }
 }
 
-/// Applies an operation lane by lane.
-std::uint32_t run_single(Opcode op, const LaneRanges& a, const LaneRanges& b, LaneRanges& out, std::size_t lanes) {
+/// Applies an operation to float_lanes boxes; `marks` gets all bits set in wild lanes.
+template <Opcode op>
+void run_span_of(const float* a_lower, const float* a_upper, const float* b_lower, const float* b_upper, float* lower,
+                 float* upper, float* marks) {
+  if constexpr (is_function(op)) {
+    run_function_span<op>(a_lower, a_upper, b_lower, b_upper, lower, upper, marks);
+  } else {
+    for (std::size_t i = 0; i < width; ++i) {
+      float range[2];
+      const bool finite = finite_interval(op, a_lower[i], a_upper[i], b_lower[i], b_upper[i], range);
+      lower[i] = range[0], upper[i] = range[1];
+      marks[i] = __builtin_bit_cast(float, finite ? 0U : ~0U);
+    }
+  }
+}
+
+/// The same for the operations that run_span() lacks.
+std::uint32_t run_other(Opcode op, const LaneRanges& a, const LaneRanges& b, LaneRanges& out, std::size_t lanes) {
   std::uint32_t wild = 0;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    float range[2];
-    if (!finite_interval(op, a.lower[i], a.upper[i], b.lower[i], b.upper[i], range)) wild |= 1U << i;
-    out.lower[i] = range[0], out.upper[i] = range[1];
+  float marks[width];
+  for (std::size_t at = 0; at < lanes; at += width) {
+    const auto run = [&](auto* function) {
+      function(a.lower + at, a.upper + at, b.lower + at, b.upper + at, out.lower + at, out.upper + at, marks);
+    };
+#define FIELDFAB_CASE(name) \
+  case Opcode::name: run(run_span_of<Opcode::name>); break;
+    switch (op) {
+      FIELDFAB_EACH_FUNCTION(FIELDFAB_CASE)
+      FIELDFAB_CASE(floor)
+      FIELDFAB_CASE(ceiling)
+      FIELDFAB_CASE(modulo)
+      default: run(run_span_of<Opcode::compare>);
+    }
+#undef FIELDFAB_CASE
+    wild |= lanes_of(reinterpret_cast<Mask>(load(marks))) << at;
   }
   return wild;
 }
 
-/// The same for machine code (see RunOperation).
-void run_operation_interval(Opcode op, const float* in, float* out, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) {
-    float range[2];
-    const bool finite = finite_interval(op, in[i], in[n + i], in[2 * n + i], in[3 * n + i], range);
-    out[i] = range[0], out[n + i] = range[1];
-    out[2 * n + i] = __builtin_bit_cast(float, finite ? 0U : ~0U);
+/// Intervals for machine code (see LaneOperation).
+struct LaneInterval {
+  template <Opcode op>
+  static void run(const float* in, float* out) {
+    run_span_of<op>(in, in + width, in + 2 * width, in + 3 * width, out, out + width, out + 2 * width);
   }
-}
-
-inline Vector load(const float* from) {
-  Vector vector;
-  __builtin_memcpy(&vector, from, sizeof vector);
-  return vector;
-}
-inline void store(float* to, Vector vector) { __builtin_memcpy(to, &vector, sizeof vector); }
+};
+LaneOperation lane_interval(Opcode op) { return instance_of<LaneInterval>(op); }
 
 std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
   constexpr std::size_t most_parts = box_lanes / width;
@@ -195,7 +193,7 @@ std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
     const LaneRanges* b = clause.b == clause.a ? a : argument(clause.b, b_space);
     LaneRanges* out = run.scratch + clause.slot;
     if (!in_vectors(clause.op)) {
-      wild_lanes |= run_single(clause.op, *a, *b, *out, parts * width);
+      wild_lanes |= run_other(clause.op, *a, *b, *out, parts * width);
       run.choices[i] = {0, 0};
       continue;
     }

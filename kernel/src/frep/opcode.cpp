@@ -63,11 +63,16 @@ const OpcodeInfo& info(Opcode op) { return table[static_cast<std::size_t>(op)]; 
 
 float apply(Opcode op, float a, float b) {
   switch (op) {
-    case Opcode::sine: return wave_is_near(a) ? wave_kernel(a, 0) : std::sin(a);
-    case Opcode::cosine: return wave_is_near(a) ? wave_kernel(a, 1) : std::cos(a);
-    case Opcode::arctangent: return arctangent_kernel(a);
-    case Opcode::exponential: return exponential_kernel(a);
-    case Opcode::logarithm: return is_positive_normal(a) ? logarithm_kernel(a) : std::log(a);
+    case Opcode::sine: return wave_is_near(a) ? function_in_lanes<Opcode::sine, 1>(a, b) : std::sin(a);
+    case Opcode::cosine: return wave_is_near(a) ? function_in_lanes<Opcode::cosine, 1>(a, b) : std::cos(a);
+    case Opcode::tangent: return wave_is_near(a) ? function_in_lanes<Opcode::tangent, 1>(a, b) : std::tan(a);
+    case Opcode::arcsine: return function_in_lanes<Opcode::arcsine, 1>(a, b);
+    case Opcode::arccosine: return function_in_lanes<Opcode::arccosine, 1>(a, b);
+    case Opcode::arctangent: return function_in_lanes<Opcode::arctangent, 1>(a, b);
+    case Opcode::exponential: return function_in_lanes<Opcode::exponential, 1>(a, b);
+    case Opcode::logarithm: return function_in_lanes<Opcode::logarithm, 1>(a, b);
+    case Opcode::power: return function_in_lanes<Opcode::power, 1>(a, b);
+    case Opcode::arctangent2: return function_in_lanes<Opcode::arctangent2, 1>(a, b);
     default: return evaluate(op, a, b);
   }
 }

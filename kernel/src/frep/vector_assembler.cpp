@@ -137,11 +137,16 @@ void VectorAssembler::keep(const Vec& to, const Mask& mask, const Vec& value) {
     code.vandps(to, value, mask.vector);
 }
 
-void VectorAssembler::call(RunOperation function, Opcode op, int in, int out) {
-  code.mov(x86::edi, static_cast<int>(op));
-  code.lea(x86::rsi, frame(in));
-  code.lea(x86::rdx, frame(out));
-  code.mov(x86::ecx, static_cast<int>(lanes_));
+void VectorAssembler::call(RegisterFunction function, const Vec& a, const Vec& b) {
+  load(vector(1), b);
+  load(vector(0), a);
+  code.mov(x86::rax, reinterpret_cast<std::uint64_t>(function));
+  code.call(x86::rax);
+}
+
+void VectorAssembler::call(LaneOperation function, int in, int out) {
+  code.lea(x86::rdi, frame(in));
+  code.lea(x86::rsi, frame(out));
   code.vzeroupper();
   code.mov(x86::rax, reinterpret_cast<std::uint64_t>(function));
   code.call(x86::rax);

@@ -96,8 +96,11 @@ class VectorAssembler {
   /// `value` in the lanes of the mask, otherwise 0.
   void keep(const Vec& to, const Mask& mask, const Vec& value);
 
-  /// Calls function(op, frame + in, frame + out, lanes); all vector registers are lost.
-  void call(RunOperation function, Opcode op, int in, int out);
+  /// Calls a function; the result is in vector(0), all other vector registers are lost. `a` is not
+  /// vector(1), and `b` not vector(0).
+  void call(RegisterFunction function, const Vec& a, const Vec& b);
+  /// Calls function(frame + in, frame + out); all vector registers are lost.
+  void call(LaneOperation function, int in, int out);
 
   /// Returns the function in executable memory; null if there is none.
   std::unique_ptr<CodeMemory> finish();

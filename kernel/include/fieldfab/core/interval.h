@@ -3,9 +3,9 @@
 /// Soundness: the reference evaluator rounds each operation to the nearest float. Rounding to nearest is monotone. For
 /// the operations + - * / sqrt min max abs neg floor ceil, an interval with ends computed by the same rounding
 /// therefore contains each value that the evaluator can produce, and no widening is needed. sin, exp and similar
-/// functions of the C library are not guaranteed to be monotone in their last bits; their intervals are widened by some
-/// ulps. An operation that can yield NaN (0/0, inf-inf, sqrt of a negative number) sets `maybe_nan`; each decision that
-/// rests on the interval is then undecided.
+/// functions are not proved to be monotone in their last bits; their intervals are widened by some units in the last
+/// place. An operation that can yield NaN (0/0, inf-inf, sqrt of a negative number) sets `maybe_nan`; each decision
+/// that rests on the interval is then undecided.
 #pragma once
 
 #include <algorithm>

@@ -60,7 +60,7 @@ const OpcodeInfo& info(Opcode op);
 /// - min and max return the first argument on a tie, and NaN if either argument is NaN.
 /// - modulo(a, b) is a - b*floor(a/b), so that the sign is that of b.
 /// - compare returns -1, 0 or 1, and NaN if either argument is NaN.
-/// - power is powf() of the C library.
+/// - Transcendental functions return the nearest float or, rarely, its neighbour, and C's special values.
 float apply(Opcode op, float a, float b = 0);
 /// Evaluates an operation in double precision, for constant folding.
 double apply(Opcode op, double a, double b);
