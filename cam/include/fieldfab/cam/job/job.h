@@ -10,6 +10,7 @@
 
 #include "fieldfab/cam/job/stage.h"
 #include "fieldfab/cam/machine/machine.h"
+#include "fieldfab/cam/plan/feeds.h"
 #include "fieldfab/cam/plan/program.h"
 #include "fieldfab/cam/stock/stock.h"
 #include "fieldfab/core/progress.h"
@@ -36,6 +37,9 @@ struct OperationReport {
   Lengths length;
   /// machining time, seconds
   double seconds = 0;
+  /// with adjusted feeds: time with the planned ones, seconds, and what the operation removes
+  std::optional<double> planned_seconds;
+  FeedReport feeds;
 };
 
 /// A validated job with its results.
@@ -52,8 +56,9 @@ class Job {
 
   /// Returns the chains of stages with all settings and their origins, for people.
   [[nodiscard]] std::string plan() const;
-  /// Plans all paths. Throws Error(bad_input), Error(cancelled).
-  void run(Progress& progress = Progress::none());
+  /// Plans all paths. With `adjust`, simulates them, and adjusts feeds to the material that each move removes. Throws
+  /// Error(bad_input), Error(cancelled).
+  void run(Progress& progress = Progress::none(), const std::optional<FeedLimits>& adjust = std::nullopt);
   /// Writes the program, or the picture or mesh that the machine takes, completely or not at all. Precondition: run().
   /// Throws Error(io), Error(bad_input), Error(cancelled).
   void write(const std::filesystem::path& path, Progress& progress = Progress::none()) const;
