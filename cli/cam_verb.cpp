@@ -30,7 +30,8 @@ class CamVerb final : public Verb {
     cam::Job job = cam::Job::read(job_, progress, openscad::all_formats());
     if (plan_) return {job.plan(), {{"plan", job.plan()}}, 0};
     if (output_.empty()) throw Error(ErrorKind::bad_input, "-o", "name the program to write, or ask for --plan");
-    job.run(progress, optimise_ ? std::optional(cam::FeedLimits{}) : std::nullopt);
+    if (optimise_ && !job.adjusts_feeds()) job.adjust_feeds({});
+    job.run(progress);
     job.write(output_, progress);
     for (const std::string& picture : pictures_)
       cam::write_picture(job.program(), picture,
@@ -60,7 +61,7 @@ class CamVerb final : public Verb {
         fmt::format("{}: {}, {} operation{}, {:.1f} m cut, {:.1f} m of rapids, about {}:{:02d} min", output_,
                     job.machine().name, job.reports().size(), job.reports().size() == 1 ? "" : "s", cut / 1000,
                     rapid / 1000, static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
-    if (optimise_)
+    if (job.adjusts_feeds())
       outcome.line += fmt::format("; {}:{:02d} with the planned feeds", static_cast<int>(planned) / 60,
                                   static_cast<int>(planned) % 60);
     outcome.json = {{"output", output_},

@@ -90,9 +90,8 @@ Artifact seen_from(const Artifact& input, const Plane& plane) {
 /// Runs the operations in sequence and stores their common data.
 class JobRunner {
  public:
-  JobRunner(Job& job, Progress& progress, const std::optional<FeedLimits>& adjust)
-      : job_(job), progress_(progress), left_(stock_of(job)), limits_(adjust) {
-    if (adjust)
+  JobRunner(Job& job, Progress& progress) : job_(job), progress_(progress), left_(stock_of(job)) {
+    if (job.feed_limits_)
       measured_.emplace(job.saved_stock_ ? *job.saved_stock_
                                          : Stock(job.stock_, {.cell = StockSettings::usual_cell(job.stock_)}));
   }
@@ -185,7 +184,7 @@ class JobRunner {
     if (measured_ && op.tool.diameter > 0) {
       report.planned_seconds = duration(placed(section.moves, op.plane, 0.005), job_.machine_.dynamics);
       section.moves = measured_->adjust(section.moves, op.tool, op.plane, cuts.width > 0 ? cuts.width : op.tool.diameter,
-                                        *limits_, report.feeds, progress_);
+                                        *job_.feed_limits_, report.feeds, progress_);
     }
     section.moves = placed(section.moves, op.plane, 0.005);
     report.paths = cuts.paths.size();
@@ -277,14 +276,13 @@ class JobRunner {
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section
   std::string setup_;               // orientation of the work
-  std::optional<FeedLimits> limits_;
   std::optional<MeasuredStock> measured_;
 };
 
-void Job::run(Progress& progress, const std::optional<FeedLimits>& adjust) {
+void Job::run(Progress& progress) {
   program_.sections.clear();
   reports_.clear();
-  JobRunner(*this, progress, adjust).run();
+  JobRunner(*this, progress).run();
 }
 
 void Job::write(const std::filesystem::path& path, Progress& progress) const {

@@ -101,7 +101,8 @@ std::vector<Move> MeasuredStock::adjust(const std::vector<Move>& moves, const To
     if (i > 0 && pieces[i - 1].move + 1 >= piece.move) piece.factor = std::min(piece.factor, wanted(pieces[i - 1]));
     if (i + 1 < pieces.size() && pieces[i + 1].move <= piece.move + 1)
       piece.factor = std::min(piece.factor, wanted(pieces[i + 1]));
-    piece.factor = std::max(limits.least, std::pow(ladder, std::floor(std::log(piece.factor) / std::log(ladder) + 1e-9)));
+    if (piece.factor < limits.most)
+      piece.factor = std::max(limits.least, std::pow(ladder, std::floor(std::log(piece.factor) / std::log(ladder) + 1e-9)));
     const double rate = moves[piece.move].feed * piece.section;
     report.rate_before = std::max(report.rate_before, rate);
     report.rate_after = std::max(report.rate_after, rate * piece.factor);

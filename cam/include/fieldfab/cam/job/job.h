@@ -56,9 +56,12 @@ class Job {
 
   /// Returns the chains of stages with all settings and their origins, for people.
   [[nodiscard]] std::string plan() const;
-  /// Plans all paths. With `adjust`, simulates them, and adjusts feeds to the material that each move removes. Throws
-  /// Error(bad_input), Error(cancelled).
-  void run(Progress& progress = Progress::none(), const std::optional<FeedLimits>& adjust = std::nullopt);
+  /// Has run() adjust feeds to the material that each move removes; [feeds] in a job file does the same.
+  void adjust_feeds(const FeedLimits& limits) { feed_limits_ = limits; }
+  /// Whether it does.
+  [[nodiscard]] bool adjusts_feeds() const { return feed_limits_.has_value(); }
+  /// Plans all paths. Throws Error(bad_input), Error(cancelled).
+  void run(Progress& progress = Progress::none());
   /// Writes the program, or the picture or mesh that the machine takes, completely or not at all. Precondition: run().
   /// Throws Error(io), Error(bad_input), Error(cancelled).
   void write(const std::filesystem::path& path, Progress& progress = Progress::none()) const;
@@ -92,6 +95,7 @@ class Job {
   std::shared_ptr<const Stock> saved_stock_;
   Vec3 zero_ = Vec3::Zero();
   std::vector<PlannedOperation> operations_;
+  std::optional<FeedLimits> feed_limits_;
   Program program_;
   std::vector<OperationReport> reports_;
   std::vector<std::string> notes_;
