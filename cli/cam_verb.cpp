@@ -64,14 +64,9 @@ class CamVerb final : public Verb {
     if (job.adjusts_feeds())
       outcome.line += fmt::format("; {}:{:02d} with the planned feeds", static_cast<int>(planned) / 60,
                                   static_cast<int>(planned) % 60);
-    outcome.json = {{"output", output_},
-                    {"machine", job.machine().name},
-                    {"operations", operations},
-                    {"seconds", seconds},
-                    {"planned_seconds", planned},
-                    {"cut", cut},
-                    {"rapid", rapid},
-                    {"notes", job.notes()}};
+    outcome.json = {{"output", output_},  {"machine", job.machine().name}, {"operations", operations},
+                    {"seconds", seconds}, {"planned_seconds", planned},    {"cut", cut},
+                    {"rapid", rapid},     {"notes", job.notes()}};
     return outcome;
   }
 

@@ -78,8 +78,7 @@ std::vector<Move> MeasuredStock::adjust(const std::vector<Move>& moves, const To
   std::vector<std::pair<double, double>> sections;  // with the lengths along which they are met
   double way = 0;
   for (const Piece& piece : pieces)
-    if (piece.section > air && !piece.descends)
-      sections.emplace_back(piece.section, piece.length), way += piece.length;
+    if (piece.section > air && !piece.descends) sections.emplace_back(piece.section, piece.length), way += piece.length;
   std::sort(sections.begin(), sections.end());
   report = {};
   for (double done = 0; const auto& [section, length] : sections) {
@@ -94,7 +93,8 @@ std::vector<Move> MeasuredStock::adjust(const std::vector<Move>& moves, const To
     const double factor = part > 1 ? 1 / part : chip(usual_width, radius) / chip(part * usual_width, radius);
     return std::clamp(factor, limits.least, limits.most);
   };
-  // A piece is as slow as its neighbours want: it begins before the material does, and measures are as coarse as pieces.
+  // A piece is as slow as its neighbours want: it begins before the material does, and measures are as coarse as
+  // pieces.
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Piece& piece = pieces[i];
     piece.factor = wanted(piece);
@@ -102,7 +102,8 @@ std::vector<Move> MeasuredStock::adjust(const std::vector<Move>& moves, const To
     if (i + 1 < pieces.size() && pieces[i + 1].move <= piece.move + 1)
       piece.factor = std::min(piece.factor, wanted(pieces[i + 1]));
     if (piece.factor < limits.most)
-      piece.factor = std::max(limits.least, std::pow(ladder, std::floor(std::log(piece.factor) / std::log(ladder) + 1e-9)));
+      piece.factor =
+          std::max(limits.least, std::pow(ladder, std::floor(std::log(piece.factor) / std::log(ladder) + 1e-9)));
     const double rate = moves[piece.move].feed * piece.section;
     report.rate_before = std::max(report.rate_before, rate);
     report.rate_after = std::max(report.rate_after, rate * piece.factor);

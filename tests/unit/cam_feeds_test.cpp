@@ -26,8 +26,8 @@ MeasuredStock block() { return MeasuredStock(Stock({{0, 0, -10}, {80, 60, 0}}, {
 double feed_at(const std::vector<Move>& moves, double x, double y) {
   for (std::size_t k = 1; k < moves.size(); ++k) {
     const Vec3 &a = moves[k - 1].to, &b = moves[k].to;
-    if (!moves[k].rapid() && std::abs(a.y() - y) < 1e-9 && std::abs(b.y() - y) < 1e-9 &&
-        std::min(a.x(), b.x()) <= x && x <= std::max(a.x(), b.x()))
+    if (!moves[k].rapid() && std::abs(a.y() - y) < 1e-9 && std::abs(b.y() - y) < 1e-9 && std::min(a.x(), b.x()) <= x &&
+        x <= std::max(a.x(), b.x()))
       return moves[k].feed;
   }
   return 0;
@@ -52,8 +52,7 @@ TEST(Feeds, FollowTheWidthOfCut) {
   // between two planes of the lattice.
   const std::vector<double> at{0.1, 3.1, 6.1, 9.1, 12.1, 15.1, 18.1, 21.1, 24.1, 27.1, 28.1, 28.3, 50.1};
   FeedReport report;
-  const std::vector<Move> moves =
-      block().adjust(passes(at), cutter(), {}, 3, {.least = 0.4, .most = 2.5}, report);
+  const std::vector<Move> moves = block().adjust(passes(at), cutter(), {}, 3, {.least = 0.4, .most = 2.5}, report);
   EXPECT_NEAR(report.usual, 3.1 * depth, 0.01);  // the first pass: those up to it are 12 of 13
   const auto factor = [&](double y) { return feed_at(moves, 40, y) / feed; };
   const auto expect = [&](double y, double expected) {  // a ladder of steps of 15 %, downwards
@@ -111,7 +110,7 @@ TEST(Feeds, KeepTheWayAndTheFeedOfDescents) {
 TEST(Feeds, AreCutFromTiltedPlanesToo) {
   Plane side;
   side.axes << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // its z is the part's x
-  side.origin = {30, -5.1, 80};  // in its own coordinates
+  side.origin = {30, -5.1, 80};            // in its own coordinates
   std::vector<Move> moves{{{-60, 0, 5}, 0}, {{-60, 0, -1}, 0}, {{60, 0, -1}, feed}};
   FeedReport report;
   const std::vector<Move> adjusted = block().adjust(moves, cutter(), side, 6, {}, report);

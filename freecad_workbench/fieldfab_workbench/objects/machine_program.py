@@ -23,8 +23,8 @@ class MachineProgram(DocumentObject):
     def add_properties(self, obj):
         self.add(obj, "Link", "Setup", "Program", "The CAM job that it follows")
         self.add(obj, "Float", "Seconds", "Program", "Estimated machining time in seconds", mode=1)
-        self.add(obj, "Float", "PlannedSeconds", "Program", "Estimated machining time in seconds, without adjusted feeds",
-                 mode=1)
+        self.add(obj, "Float", "PlannedSeconds", "Program",
+                 "Estimated machining time in seconds, without adjusted feeds", mode=1)
         self.add(obj, "Length", "CutLength", "Program", "Length of cuts", mode=1)
         self.add(obj, "Length", "RapidLength", "Program", "Length of rapids", mode=1)
         self.add(obj, "StringList", "Reports", "Program", "Report of each operation", mode=1)

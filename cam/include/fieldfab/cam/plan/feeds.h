@@ -27,10 +27,10 @@ class MeasuredStock {
  public:
   explicit MeasuredStock(Stock start) : stock_(std::move(start)) {}
 
-  /// Executes moves in a plane's coordinates and returns them with other feeds, along the same way; long moves are divided where the material
-  /// changes. `width`: width of cut that the operation is planned for, mm. Chips become as thick as they are at that
-  /// width: a narrower cut has thinner ones, and a wider one removes no more per minute than usual. Descents keep their
-  /// feeds in material. Throws cancelled.
+  /// Executes moves in a plane's coordinates and returns them with other feeds, along the same way; long moves are
+  /// divided where the material changes. `width`: width of cut that the operation is planned for, mm. Chips become as
+  /// thick as they are at that width: a narrower cut has thinner ones, and a wider one removes no more per minute than
+  /// usual. Descents keep their feeds in material. Throws cancelled.
   std::vector<Move> adjust(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, double width,
                            const FeedLimits& limits, FeedReport& report, Progress& progress = Progress::none());
 
