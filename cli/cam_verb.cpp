@@ -21,6 +21,8 @@ class CamVerb final : public Verb {
         ->check(CLI::IsMember({"order", "depth"}));
     verb_->add_flag("--oblique", oblique_, "draw the picture from the front and above, not from straight above");
     verb_->add_option("--sheet", sheet_, "also write a set-up sheet, an .html file");
+    verb_->add_flag("--optimise", optimise_,
+                    "adjust feeds to the material that each move removes: slower in corners, faster in air");
     verb_->add_flag("--plan", plan_, "show the chain of stages and all settings, and stop");
   }
 
@@ -28,6 +30,7 @@ class CamVerb final : public Verb {
     cam::Job job = cam::Job::read(job_, progress, openscad::all_formats());
     if (plan_) return {job.plan(), {{"plan", job.plan()}}, 0};
     if (output_.empty()) throw Error(ErrorKind::bad_input, "-o", "name the program to write, or ask for --plan");
+    if (optimise_ && !job.adjusts_feeds()) job.adjust_feeds({});
     job.run(progress);
     job.write(output_, progress);
     for (const std::string& picture : pictures_)
@@ -41,8 +44,9 @@ class CamVerb final : public Verb {
   [[nodiscard]] Outcome report(const cam::Job& job) const {
     Outcome outcome;
     auto operations = nlohmann::ordered_json::array();
-    double seconds = 0, cut = 0, rapid = 0;
+    double seconds = 0, planned = 0, cut = 0, rapid = 0;
     for (const cam::OperationReport& r : job.reports()) {
+      planned += r.planned_seconds.value_or(r.seconds);
       seconds += r.seconds, cut += r.length.cut, rapid += r.length.rapid;
       operations.push_back({{"name", r.name},
                             {"paths", r.paths},
@@ -57,19 +61,18 @@ class CamVerb final : public Verb {
         fmt::format("{}: {}, {} operation{}, {:.1f} m cut, {:.1f} m of rapids, about {}:{:02d} min", output_,
                     job.machine().name, job.reports().size(), job.reports().size() == 1 ? "" : "s", cut / 1000,
                     rapid / 1000, static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
-    outcome.json = {{"output", output_},
-                    {"machine", job.machine().name},
-                    {"operations", operations},
-                    {"seconds", seconds},
-                    {"cut", cut},
-                    {"rapid", rapid},
-                    {"notes", job.notes()}};
+    if (job.adjusts_feeds())
+      outcome.line += fmt::format("; {}:{:02d} with the planned feeds", static_cast<int>(planned) / 60,
+                                  static_cast<int>(planned) % 60);
+    outcome.json = {{"output", output_},  {"machine", job.machine().name}, {"operations", operations},
+                    {"seconds", seconds}, {"planned_seconds", planned},    {"cut", cut},
+                    {"rapid", rapid},     {"notes", job.notes()}};
     return outcome;
   }
 
   std::string job_, output_, sheet_, colour_ = "order";
   std::vector<std::string> pictures_;
-  bool plan_ = false, oblique_ = false;
+  bool plan_ = false, oblique_ = false, optimise_ = false;
 };
 
 }  // namespace

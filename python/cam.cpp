@@ -54,6 +54,7 @@ py::dict dict_of(const cam::OperationReport& r) {
   py::dict d;
   d["name"] = r.name, d["paths"] = r.paths, d["air_before"] = r.air.before, d["air_after"] = r.air.after;
   d["cut"] = r.length.cut, d["rapid"] = r.length.rapid, d["seconds"] = r.seconds;
+  d["planned_seconds"] = r.planned_seconds.value_or(r.seconds);
   return d;
 }
 
@@ -85,6 +86,13 @@ void bind_job(py::module_& module) {
           py::arg("text"), py::arg("solid") = py::none(), py::arg("filename") = "job", py::arg("progress") = py::none(),
           "The job of a file's text, with its part where that is given; `filename` is what messages call it.")
       .def("plan", &cam::Job::plan, "The chains of stages with all settings, as text.")
+      .def(
+          "adjust_feeds",
+          [](cam::Job& job, double least, double most) {
+            job.adjust_feeds({least, most});
+          },
+          py::arg("least") = cam::FeedLimits{}.least, py::arg("most") = cam::FeedLimits{}.most,
+          "Has run() adjust feeds to the material that each move removes, within these parts of the planned feed.")
       .def(
           "run",
           [](cam::Job& job, const py::object& progress) { long_work(progress, [&](Progress& p) { job.run(p); }); },

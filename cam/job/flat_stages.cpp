@@ -105,6 +105,7 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
   PlannedCuts cuts;
   cuts.paths = pocket(area, clear, cut, context.progress);
   cuts.ordered = clear.adaptive;
+  cuts.width = clear.stepover;
   for (const Vec2& place : left)
     context.notes.push_back(
         fmt::format("the tool of {:.4g} mm is too large for the pocket around x {:.2f}, y {:.2f}: it is left",

@@ -90,7 +90,11 @@ Artifact seen_from(const Artifact& input, const Plane& plane) {
 /// Runs the operations in sequence and stores their common data.
 class JobRunner {
  public:
-  JobRunner(Job& job, Progress& progress) : job_(job), progress_(progress), left_(stock_of(job)) {}
+  JobRunner(Job& job, Progress& progress) : job_(job), progress_(progress), left_(stock_of(job)) {
+    if (job.feed_limits_)
+      measured_.emplace(job.saved_stock_ ? *job.saved_stock_
+                                         : Stock(job.stock_, {.cell = StockSettings::usual_cell(job.stock_)}));
+  }
 
   void run() {
     for (const PlannedOperation& op : job_.operations_) add(op);
@@ -177,6 +181,12 @@ class JobRunner {
     setup_ = op.plane.setup ? op.plane.name : "";
     if (!too_deep && op.tool.diameter > 0 && &op != &job_.operations_.back())
       left_.cut(section.moves, op.tool, op.plane, progress_);
+    if (measured_ && op.tool.diameter > 0) {
+      report.planned_seconds = duration(placed(section.moves, op.plane, 0.005), job_.machine_.dynamics);
+      section.moves =
+          measured_->adjust(section.moves, op.tool, op.plane, cuts.width > 0 ? cuts.width : op.tool.diameter,
+                            *job_.feed_limits_, report.feeds, progress_);
+    }
     section.moves = placed(section.moves, op.plane, 0.005);
     report.paths = cuts.paths.size();
     report.length = lengths(section.moves);
@@ -267,6 +277,7 @@ class JobRunner {
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section
   std::string setup_;               // orientation of the work
+  std::optional<MeasuredStock> measured_;
 };
 
 void Job::run(Progress& progress) {

@@ -60,6 +60,7 @@ Artifact rough_stage(const Artifact& in, const Values& values, Context& context)
   const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
   PlannedCuts cuts;
   cuts.paths = rough(tips, settings, context.progress);
+  cuts.width = settings.clear.stepover;
   if (settings.clear.adaptive) {
     cuts.ordered = true;
     return cuts;
@@ -203,6 +204,7 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
   }
   leave_out_reached(cuts, values, tips, context);
   cuts.may_reverse = settings.both_ways;
+  cuts.width = settings.stepover;
   cuts.may_stay_down = over(tips, 1.5 * settings.stepover, settings.tolerance);
   lean(cuts, values, *tips, context);
   return cuts;

@@ -80,6 +80,8 @@ class Job:
             self._add("coordinates", "model", setup, "stock")
             self._add("lower", list(lower), setup, "stock")
             self._add("upper", list(upper), setup, "stock")
+        if setup.AdjustFeeds:
+            self._head("[feeds]", setup)
         given = setup.Proxy.given(setup)
         if given:
             self._head("[setting]", setup)
@@ -152,6 +154,11 @@ class Plan:
     @property
     def seconds(self):
         return sum(report["seconds"] for report in self.reports)
+
+    @property
+    def planned_seconds(self):
+        """The time without adjusted feeds."""
+        return sum(report["planned_seconds"] for report in self.reports)
 
 
 def all_moves(plan):

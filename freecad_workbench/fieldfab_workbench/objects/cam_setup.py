@@ -41,6 +41,8 @@ class CamSetup(WithSettings):
         self.add(obj, "Link", "StockObject", "Stock", "Object whose bounding box is the stock")
         self.add(obj, "LinkList", "Tools", "CAM", "Tools of the CAM job")
         self.add(obj, "LinkList", "Operations", "CAM", "Operations in the order of the program")
+        self.add(obj, "Bool", "AdjustFeeds", "CAM",
+                 "Adjust feeds to the material that each move removes: slower in corners, faster in air", False)
         self.settle(obj)
         self._show_stock(obj)
 

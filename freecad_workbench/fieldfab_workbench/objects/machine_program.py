@@ -23,6 +23,8 @@ class MachineProgram(DocumentObject):
     def add_properties(self, obj):
         self.add(obj, "Link", "Setup", "Program", "The CAM job that it follows")
         self.add(obj, "Float", "Seconds", "Program", "Estimated machining time in seconds", mode=1)
+        self.add(obj, "Float", "PlannedSeconds", "Program",
+                 "Estimated machining time in seconds, without adjusted feeds", mode=1)
         self.add(obj, "Length", "CutLength", "Program", "Length of cuts", mode=1)
         self.add(obj, "Length", "RapidLength", "Program", "Length of rapids", mode=1)
         self.add(obj, "StringList", "Reports", "Program", "Report of each operation", mode=1)
@@ -79,7 +81,7 @@ def take(obj, plan):
         packed(plan.program), packed(plan.sheet), packed(moves.getvalue()))
     counts = [len(moves) for moves in plan.moves]
     obj.Sections = json.dumps([{**section, "moves": count} for section, count in zip(plan.sections, counts)])
-    obj.Seconds = plan.seconds
+    obj.Seconds, obj.PlannedSeconds = plan.seconds, plan.planned_seconds
     obj.CutLength, obj.RapidLength = (sum(report[name] for report in plan.reports) for name in ("cut", "rapid"))
     obj.Reports = [f"{r['name']}: {r['cut'] / 1000:.2f} m cut, {r['rapid'] / 1000:.2f} m of rapids, "
                    f"{clock(r['seconds'])}" for r in plan.reports]

@@ -163,6 +163,11 @@ class SetupPanel(EditPanel):
         self.bar = QtWidgets.QProgressBar()
         self.planned = work.Gauge(self.bar)
         self.bar.setTextVisible(False)
+        self.adjust_feeds = QtWidgets.QCheckBox(tr("Adjust feeds to the cut"))
+        self.adjust_feeds.setToolTip(tr(self.obj.getDocumentationOfProperty("AdjustFeeds"), PROPERTY))
+        self.adjust_feeds.setChecked(self.obj.AdjustFeeds)
+        self.adjust_feeds.toggled.connect(lambda on: self._set("AdjustFeeds", on))
+        self.layout.addWidget(self.adjust_feeds)
         row.addWidget(self.plan_button)
         row.addWidget(self.bar, 1)
         self.layout.addLayout(row)
@@ -336,6 +341,9 @@ class SetupPanel(EditPanel):
         except ValueError:
             current = False
         about = tr("About {time}").format(time=machine_program.clock(program.Seconds))
+        if self.obj.AdjustFeeds and program.PlannedSeconds > program.Seconds:
+            about += "; " + tr("{time} with the planned feeds").format(
+                time=machine_program.clock(program.PlannedSeconds))
         lines = [f"<b>{about}</b>" + ("" if current else f" <span style='color:gray'>{tr('(changed since)')}</span>"),
                  *map(_escaped, program.Reports),
                  *(f"<span style='color:#8a5a00'>{_escaped(note)}</span>" for note in program.Notes)]

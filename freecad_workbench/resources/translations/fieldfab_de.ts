@@ -124,6 +124,14 @@
         <translation>Operationen in der Reihenfolge des Programms</translation>
     </message>
     <message>
+        <source>Adjust Feeds</source>
+        <translation>Vorschübe anpassen</translation>
+    </message>
+    <message>
+        <source>Adjust feeds to the material that each move removes: slower in corners, faster in air</source>
+        <translation>Vorschübe an das Material anpassen, das jede Bewegung abträgt: langsamer in Ecken, schneller in Luft</translation>
+    </message>
+    <message>
         <source>Material</source>
         <translation>Werkstoff</translation>
     </message>
@@ -350,6 +358,14 @@
     <message>
         <source>Estimated machining time in seconds</source>
         <translation>Geschätzte Bearbeitungszeit in Sekunden</translation>
+    </message>
+    <message>
+        <source>Planned Seconds</source>
+        <translation>Geplante Sekunden</translation>
+    </message>
+    <message>
+        <source>Estimated machining time in seconds, without adjusted feeds</source>
+        <translation>Geschätzte Bearbeitungszeit in Sekunden, ohne angepasste Vorschübe</translation>
     </message>
     <message>
         <source>Cut Length</source>
@@ -2039,6 +2055,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Plant alle Pfade im Hintergrund</translation>
     </message>
     <message>
+        <source>Adjust feeds to the cut</source>
+        <translation>Vorschübe an den Eingriff anpassen</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
@@ -2085,6 +2105,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>turns about {axes}</source>
         <translation>dreht um {axes}</translation>
+    </message>
+    <message>
+        <source>{time} with the planned feeds</source>
+        <translation>{time} mit den geplanten Vorschüben</translation>
     </message>
     <message>
         <source>{count} tools</source>

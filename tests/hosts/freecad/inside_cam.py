@@ -73,6 +73,23 @@ def test_a_program_is_that_of_the_same_job_from_the_command_line(document, tmp_p
     assert "4 mm end mill" in (tmp_path / "sheet.html").read_text()
 
 
+def test_feeds_follow_the_cut_where_the_set_up_asks_for_it(document, tmp_path):
+    setup = set_up(document)
+    program = planned(setup)
+    seconds, before = program.Seconds, machine_program.sections_of(program)[0][1]
+    assert program.PlannedSeconds == seconds
+    setup.AdjustFeeds = True
+    document.recompute()
+    assert program.isValid(), program.getStatusString()
+    after = machine_program.sections_of(program)[0][1]
+    assert program.PlannedSeconds == pytest.approx(seconds) and program.Seconds < 0.95 * seconds
+    assert {tuple(each) for each in before[:, :3]} <= {tuple(each) for each in after[:, :3]}, "the same way"
+    document.saveCopy(str(tmp_path / "feeds.FCStd"))
+    again = FreeCAD.openDocument(str(tmp_path / "feeds.FCStd"), True)
+    assert again.getObject(setup.Name).AdjustFeeds
+    FreeCAD.closeDocument(again.Name)
+
+
 @pytest.mark.parametrize("kind", workflow.operation_names())
 def test_operations_have_the_properties_of_their_stages(document, kind):
     setup = cam_setup.create(document)

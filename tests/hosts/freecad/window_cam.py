@@ -158,6 +158,20 @@ def test_from_a_solid_to_a_machine_file(document, tmp_path, monkeypatch):
     assert document.Objects == [solid]
 
 
+def test_feeds_are_adjusted_by_a_tick(document):
+    setup = new_setup(part(document))
+    planned_in_panel()
+    [program] = cam_setup.programs_of(setup)
+    seconds = program.Seconds
+    [box] = seen(QtWidgets.QCheckBox, "Adjust feeds to the cut")
+    box.click()
+    planned_in_panel()
+    wait(lambda: any("with the planned feeds" in label.text() for label in seen(QtWidgets.QLabel)), 60, "both times")
+    assert setup.AdjustFeeds and program.Seconds < seconds == pytest.approx(program.PlannedSeconds)
+    window.shot("cam_feeds")
+    press(Button.Ok)
+
+
 def test_what_is_wrong_is_said_beside_the_setting(document):
     setup = new_setup(part(document))
     type_into("Stepdown", "-2")

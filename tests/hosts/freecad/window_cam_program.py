@@ -19,7 +19,7 @@ def test_a_million_moves_are_drawn_at_once(document):
 
     class Plan:
         text, digest, extension, program, sheet, notes, zero = "", "made up", ".ngc", b"", b"", [], (0, 0, 0)
-        seconds = 1.0
+        seconds = planned_seconds = 1.0
         reports = [{"name": "many", "cut": 1.0, "rapid": 0.0, "seconds": 1.0}]
         sections = [{"name": "many", "tool": 1, "tilted": False, "coolant": "", "spindle": 0}]
         turn = np.linspace(0, 2000, 1_000_000)

@@ -10,6 +10,7 @@
 
 #include "fieldfab/cam/job/stage.h"
 #include "fieldfab/cam/machine/machine.h"
+#include "fieldfab/cam/plan/feeds.h"
 #include "fieldfab/cam/plan/program.h"
 #include "fieldfab/cam/stock/stock.h"
 #include "fieldfab/core/progress.h"
@@ -36,6 +37,9 @@ struct OperationReport {
   Lengths length;
   /// machining time, seconds
   double seconds = 0;
+  /// with adjusted feeds: time with the planned ones, seconds, and what the operation removes
+  std::optional<double> planned_seconds;
+  FeedReport feeds;
 };
 
 /// A validated job with its results.
@@ -52,6 +56,10 @@ class Job {
 
   /// Returns the chains of stages with all settings and their origins, for people.
   [[nodiscard]] std::string plan() const;
+  /// Has run() adjust feeds to the material that each move removes; [feeds] in a job file does the same.
+  void adjust_feeds(const FeedLimits& limits) { feed_limits_ = limits; }
+  /// Whether it does.
+  [[nodiscard]] bool adjusts_feeds() const { return feed_limits_.has_value(); }
   /// Plans all paths. Throws Error(bad_input), Error(cancelled).
   void run(Progress& progress = Progress::none());
   /// Writes the program, or the picture or mesh that the machine takes, completely or not at all. Precondition: run().
@@ -87,6 +95,7 @@ class Job {
   std::shared_ptr<const Stock> saved_stock_;
   Vec3 zero_ = Vec3::Zero();
   std::vector<PlannedOperation> operations_;
+  std::optional<FeedLimits> feed_limits_;
   Program program_;
   std::vector<OperationReport> reports_;
   std::vector<std::string> notes_;
