@@ -5,4 +5,5 @@ import FreeCAD
 from fieldfab_workbench import file_types
 
 file_types.register()
+file_types.take_over_shapes()
 FreeCAD.__unit_test__ += ["TestFieldfab"]

@@ -64,6 +64,16 @@ def _fill_registry():
     registry.fill(views, panels)
 
 
+def _export_shapes():
+    """Takes over the export to STEP, IGES and BREP once all workbenches have registered theirs."""
+    from fieldfab_workbench import file_types
+    from fieldfab_workbench.shim import QtCore
+
+    file_types.take_over_shapes()
+    QtCore.QTimer.singleShot(0, file_types.take_over_shapes)
+
+
 _translate()
 _fill_registry()
+_export_shapes()
 FreeCADGui.addWorkbench(FieldfabWorkbench())

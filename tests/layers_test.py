@@ -8,8 +8,8 @@ of formats (openscad::all_formats()).
 In cam: base <- {gcode, stock} <- plan <- machine <- job <- simulate, but plan does not include gcode. The same holds
 for the rooms' private headers, which no file outside of cam includes.
 
-The FreeCAD workbench in Python: base <- objects <- files <- views <- panels <- commands <- start. Neither the workbench
-nor the Python module has an import cycle, imports inside functions included."""
+The FreeCAD workbench in Python: base <- brep <- objects <- files <- views <- panels <- commands <- start. Neither the
+workbench nor the Python module has an import cycle, imports inside functions included."""
 
 import ast
 import graphlib
@@ -43,8 +43,8 @@ OF_MESHLAB = ("host", "meshlab_2020", "meshlab_2022")  # folders of meshlab_filt
 
 # The workbench's layers, the lowest first. A folder of the package is a layer; of the modules beside the folders, FILES
 # are the layer files and all others base.
-LAYERS = ("base", "objects", "files", "views", "panels", "commands", "start")
-FILES = ("files", "importing", "openscad_files", "part_files", "path_jobs")
+LAYERS = ("base", "brep", "objects", "files", "views", "panels", "commands", "start")
+FILES = ("files", "importing", "openscad_files", "part_files", "path_jobs", "shape_files")
 PACKAGE = "fieldfab_workbench"
 # Modules of web/server that run in worker processes; they do not import the server.
 WORKER_SIDE = {"limits", "worker", "models", "pictures", "archives", "files", "machining", "frames", "launch", "png",

@@ -10,6 +10,10 @@ from . import kernel, preferences
 
 SLICES = ("tif", "tiff", "png")  # extensions of the slices of a stack
 MODULE = "fieldfab_workbench.files"
+SHAPE_MODULE = "fieldfab_workbench.shape_files"
+# FreeCAD's filters of the formats of Part shapes, and its exporters of each.
+SHAPE_FILTERS = {"STEP with colors (*.step *.stp)": ("Import", "ImportGui"), "IGES format (*.iges *.igs)": ("Part",),
+                 "BREP format (*.brep *.brp)": ("Part",)}
 
 
 @functools.cache
@@ -63,3 +67,10 @@ def register():
     FreeCAD.addExportType(f"F-rep ({pattern(extensions('formula', reads=True, writes=True))})", MODULE)
     FreeCAD.addExportType("OpenVDB level set (*.vdb)", MODULE)
     FreeCAD.addExportType(f"Mesh by Fieldfab ({pattern(extensions('mesh', writes=True))})", MODULE)
+
+
+def take_over_shapes():
+    """Makes shape_files the exporter of Part's formats, in place of FreeCAD's exporters, which leave out meshes."""
+    for name, modules in SHAPE_FILTERS.items():
+        for module in modules:
+            FreeCAD.changeExportModule(name, module, SHAPE_MODULE)

@@ -125,7 +125,9 @@ COMMANDS = {
         "There is no panel."),
     "Fieldfab_ToPartShape": ToPartShape(
         "PartShape", "To Part shape",
-        "Make a Part shape that follows the selected solid, reduced to some thousand flat faces",
-        "Makes an object for Part, Part Design and TechDraw that follows each selected solid. "
-        "Its faces are flat: the mesh is reduced to the number of triangles that its property MostTriangles says."),
+        "Make a Part shape that follows the selected solid, with flat, round and free-form faces",
+        "Makes an object for Part, Part Design and TechDraw that follows each selected solid. Flat, cylindrical, "
+        "conical, spherical, toroidal and smooth free-form parts become one face each. Where that gives no valid "
+        "shape, all faces are flat: the mesh is reduced to the number of triangles that its property MostTriangles "
+        "says."),
 }

@@ -1,21 +1,25 @@
 """A Part shape that follows a solid, for use in Part, Part Design and TechDraw."""
 
 import hashlib
+from collections import Counter
 
 import FreeCAD
 import Part
 
-from .. import meshes, registry
+from .. import kernel, meshes, registry, work
 from ..words import tr
 from .document_object import DocumentObject
+from .solid import is_solid, source_of
 
 SEWING = 1e-4  # mm
 
 
 class PartShape(DocumentObject):
-    """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, with the Source's placement. The
-    conversion takes about 1 ms a triangle, and grows faster than linearly beyond some thousands. So the mesh is first
-    reduced to MostTriangles; then coplanar triangles are merged into one face. Curved surfaces stay faceted."""
+    """Proxy of a Part::FeaturePython object: the boundary of its Source, with the Source's placement. Flat,
+    cylindrical, conical, spherical, toroidal and smooth free-form parts of the mesh become one face each. Where that
+    gives no valid shape, the shape has flat faces only: the mesh is reduced to MostTriangles, since the conversion
+    takes about 1 ms a triangle and grows faster than linearly beyond some thousands; then coplanar triangles are merged
+    into one face."""
 
     NAME = "PartShape"
 
@@ -23,9 +27,13 @@ class PartShape(DocumentObject):
         add = self.add
         add(obj, "Link", "Source", "Shape", "A solid or a mesh")
         add(obj, "IntegerConstraint", "MostTriangles", "Shape",
-            "The mesh is reduced to about as many triangles; FreeCAD is slow with more than some thousands",
+            "If all faces are flat, the mesh is reduced to about as many triangles; FreeCAD is slow with more than "
+            "some thousands",
             (2000, 12, 50000, 500))
         add(obj, "Bool", "MergeFaces", "Shape", "Merge coplanar triangles into one face", True)
+        add(obj, "Bool", "Curved", "Shape",
+            "Make cylindrical, conical, spherical, toroidal and free-form faces, as far as the shape stays valid", True)
+        add(obj, "String", "Kinds", "Result", "Number of faces of each kind", mode=1)
         add(obj, "Integer", "Faces", "Result", "Number of faces of the shape", mode=1)
         add(obj, "Float", "VolumeChange", "Result", "Volume of the shape above that of the solid, in percent", mode=1)
         add(obj, "String", "MadeFrom", "Result", "Digest of the input; the shape is made again when it changes",
@@ -38,19 +46,65 @@ class PartShape(DocumentObject):
         if not obj.Source.isValid():
             raise ValueError(tr("{label}: {source} has failed; the shape is unchanged").format(
                 label=obj.Label, source=obj.Source.Label))
-        made_from = hashlib.sha1(repr((_content(obj.Source), obj.MostTriangles, obj.MergeFaces)).encode()).hexdigest()
+        settings = _content(obj.Source), obj.MostTriangles, obj.MergeFaces, obj.Curved
+        made_from = hashlib.sha1(repr(settings).encode()).hexdigest()
         if obj.MadeFrom != made_from:
-            mesh = obj.Source.Mesh.copy()
-            mesh.Placement = FreeCAD.Placement()
-            volume = mesh.Volume
-            shape = shape_of(mesh, obj.MostTriangles, obj.MergeFaces, obj.Label)
+            try:
+                shape = shape_of_object(obj.Source, obj.Label, obj.MostTriangles, obj.MergeFaces, obj.Curved)
+            except work.Cancelled:
+                raise ValueError(tr("{label}: cancelled; it is unchanged").format(label=obj.Label)) from None
             obj.Shape = shape
-            obj.Faces, obj.VolumeChange, obj.MadeFrom = len(shape.Faces), 100 * (shape.Volume / volume - 1), made_from
+            obj.Faces, obj.Kinds = len(shape.Faces), kinds_of(shape)
+            obj.VolumeChange, obj.MadeFrom = 100 * (shape.Volume / obj.Source.Mesh.Volume - 1), made_from
         obj.Placement = obj.Source.getGlobalPlacement()
 
 
 def _content(source):
     return getattr(source, "MadeFrom", "") or hashlib.sha1(meshes.bms_of(source.Mesh)).hexdigest()
+
+
+def shape_of_object(source, label, most_triangles=2000, merge_faces=True, curved=True):
+    """Returns the Part shape of an object with a mesh, in its own coordinates. Raises ValueError and
+    work.Cancelled."""
+    mesh = source.Mesh.copy()
+    mesh.Placement = FreeCAD.Placement()
+    if curved and mesh.CountFacets:
+        shape = _with_curved_faces(source, mesh, label)
+        if shape is not None:
+            return shape
+    return shape_of(mesh, most_triangles, merge_faces, label)
+
+
+def _with_curved_faces(source, mesh, label):
+    """Returns the shape with faces on the surfaces that are found in the mesh, or None."""
+    from ..brep import solid  # needs numpy
+
+    vertices, triangles, _ = meshes.arrays_of(meshes.bms_of(mesh))
+    made_by = source_of(source, placed=False) if is_solid(source) else None
+
+    def make(progress):
+        def step(fraction):
+            if not progress(fraction, tr("recognising faces")):
+                raise work.Cancelled()
+
+        field = made_by and made_by.field(progress)
+        if field is not None and field.sampled:
+            return None  # a scan has no such faces
+        exact = field if field is not None and field.kind == "f-rep" else None
+        return solid.shape_of(vertices, triangles, exact, step)
+
+    try:
+        return work.run(make, label)
+    except kernel.load().Error as error:
+        raise ValueError(f"{label}: {error}") from None
+
+
+def kinds_of(shape):
+    """Returns the number of faces of each kind, in words."""
+    words = {"Plane": tr("planar"), "Cylinder": tr("cylindrical"), "Cone": tr("conical"), "Sphere": tr("spherical"),
+             "Toroid": tr("toroidal")}
+    counts = Counter(words.get(type(face.Surface).__name__, tr("free-form")) for face in shape.Faces)
+    return ", ".join(f"{count} {word}" for word, count in counts.most_common())
 
 
 def shape_of(mesh, most_triangles, merge_faces, label):

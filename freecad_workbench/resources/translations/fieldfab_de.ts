@@ -608,8 +608,8 @@
         <translation>Meiste Dreiecke</translation>
     </message>
     <message>
-        <source>The mesh is reduced to about as many triangles; FreeCAD is slow with more than some thousands</source>
-        <translation>Das Netz wird auf etwa so viele Dreiecke verringert; bei mehr als einigen Tausend ist FreeCAD langsam</translation>
+        <source>If all faces are flat, the mesh is reduced to about as many triangles; FreeCAD is slow with more than some thousands</source>
+        <translation>Wenn alle Flächen eben sind, wird das Netz auf etwa so viele Dreiecke verringert; FreeCAD ist mit mehr als einigen Tausend langsam</translation>
     </message>
     <message>
         <source>Merge Faces</source>
@@ -618,6 +618,22 @@
     <message>
         <source>Merge coplanar triangles into one face</source>
         <translation>Dreiecke in einer Ebene zu einer Fläche vereinigen</translation>
+    </message>
+    <message>
+        <source>Curved</source>
+        <translation>Gekrümmt</translation>
+    </message>
+    <message>
+        <source>Make cylindrical, conical, spherical, toroidal and free-form faces, as far as the shape stays valid</source>
+        <translation>Zylindrische, kegelige, kugelige, torusförmige und freie Flächen bilden, soweit die Form gültig bleibt</translation>
+    </message>
+    <message>
+        <source>Kinds</source>
+        <translation>Arten</translation>
+    </message>
+    <message>
+        <source>Number of faces of each kind</source>
+        <translation>Anzahl der Flächen jeder Art</translation>
     </message>
     <message>
         <source>Faces</source>
@@ -1823,6 +1839,34 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: {source} ist keine Form von OpenSCAD, und {node} nimmt keine andere</translation>
     </message>
     <message>
+        <source>planar</source>
+        <translation>eben</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>zylindrisch</translation>
+    </message>
+    <message>
+        <source>conical</source>
+        <translation>kegelig</translation>
+    </message>
+    <message>
+        <source>spherical</source>
+        <translation>kugelig</translation>
+    </message>
+    <message>
+        <source>toroidal</source>
+        <translation>torusförmig</translation>
+    </message>
+    <message>
+        <source>free-form</source>
+        <translation>frei geformt</translation>
+    </message>
+    <message>
+        <source>recognising faces</source>
+        <translation>Flächen werden erkannt</translation>
+    </message>
+    <message>
         <source>{label}: the mesh is empty</source>
         <translation>{label}: Das Netz ist leer</translation>
     </message>
@@ -2935,6 +2979,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>der Scan {path} ist nicht da</translation>
     </message>
     <message>
+        <source>{format} files hold no meshes. Convert {names} to a Part shape and write that?</source>
+        <translation>{format}-Dateien enthalten keine Netze. {names} in eine Part-Form umwandeln und diese schreiben?</translation>
+    </message>
+    <message>
+        <source>{format} files hold no meshes: {names} is converted to a Part shape</source>
+        <translation>{format}-Dateien enthalten keine Netze: {names} wird in eine Part-Form umgewandelt</translation>
+    </message>
+    <message>
         <source>Designs</source>
         <translation>Entwürfe</translation>
     </message>
@@ -3532,12 +3584,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Zu Part-Form</translation>
     </message>
     <message>
-        <source>Make a Part shape that follows the selected solid, reduced to some thousand flat faces</source>
-        <translation>Eine Part-Form machen, die dem ausgewählten Körper folgt, auf einige Tausend ebene Flächen verringert</translation>
+        <source>Make a Part shape that follows the selected solid, with flat, round and free-form faces</source>
+        <translation>Eine Part-Form erstellen, die dem gewählten Körper folgt, mit ebenen, runden und freien Flächen</translation>
     </message>
     <message>
-        <source>Makes an object for Part, Part Design and TechDraw that follows each selected solid. Its faces are flat: the mesh is reduced to the number of triangles that its property MostTriangles says.</source>
-        <translation>Macht ein Objekt für Part, Part Design und TechDraw, das jedem ausgewählten Körper folgt. Seine Flächen sind eben: Das Netz wird auf so viele Dreiecke verringert, wie seine Eigenschaft MostTriangles sagt.</translation>
+        <source>Makes an object for Part, Part Design and TechDraw that follows each selected solid. Flat, cylindrical, conical, spherical, toroidal and smooth free-form parts become one face each. Where that gives no valid shape, all faces are flat: the mesh is reduced to the number of triangles that its property MostTriangles says.</source>
+        <translation>Erstellt zu jedem gewählten Körper ein Objekt für Part, Part Design und TechDraw, das ihm folgt. Ebene, zylindrische, kegelige, kugelige, torusförmige und glatte freie Bereiche werden je eine Fläche. Wo das keine gültige Form ergibt, sind alle Flächen eben: Das Netz wird auf die Zahl der Dreiecke verringert, die seine Eigenschaft MostTriangles nennt.</translation>
     </message>
 </context>
 <context>

@@ -3,14 +3,15 @@ visibility."""
 
 import FreeCAD
 import FreeCADGui
+import ImportGui
 import pytest
 import window
 from window import live, press
 
-from fieldfab_workbench import files, kernel, preferences
+from fieldfab_workbench import files, kernel, mistakes, preferences, shape_files, shapes
 from fieldfab_workbench.objects import frep_solid
 from fieldfab_workbench.objects import solid as solids
-from fieldfab_workbench.shim import QtWidgets
+from fieldfab_workbench.shim import QtCore, QtWidgets
 
 RED = (0.8, 0.2, 0.1, 0.0)
 
@@ -111,3 +112,54 @@ def test_parts_come_in_and_go_out_in_their_colours(tmp_path):
         assert not document.Objects
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+@pytest.mark.parametrize("answer", ["Yes", "No"])
+def test_export_to_step_offers_a_conversion(solid, tmp_path, answer):
+    """By the module that FreeCAD's own Export calls for this filter."""
+    assert FreeCAD.getExportType("step") == ["fieldfab_workbench.shape_files"]
+    path, seen = tmp_path / "plate.step", []
+
+    def press_it():
+        for box in QtWidgets.QApplication.topLevelWidgets():
+            if isinstance(box, QtWidgets.QMessageBox) and box.isVisible():
+                seen.append(box.text())
+                box.button(getattr(QtWidgets.QMessageBox, answer)).click()
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(press_it)
+    timer.start(100)
+    steps = solid.Document.UndoCount
+    try:
+        shape_files.export([solid], str(path))
+    except mistakes.Mistake as error:
+        assert answer == "No" and "not written" in str(error)
+    timer.stop()
+    assert len(seen) == 1 and "STEP" in seen[0] and solid.Label in seen[0]
+    assert path.exists() == (answer == "Yes") and solid.Document.UndoCount == steps
+    assert FreeCAD.ActiveDocument == solid.Document
+    if answer == "Yes":
+        again = FreeCAD.newDocument()
+        ImportGui.insert(str(path), again.Name)
+        [made] = [obj for obj in again.Objects if hasattr(obj, "Shape") and obj.Shape.Solids]
+        assert made.Label == solid.Label and len(made.Shape.Faces) == 7
+        assert made.ViewObject.ShapeColor == pytest.approx(RED, abs=0.01)
+        live(0.3)
+        FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+        window.shot("step")
+
+
+def test_the_bracket_as_a_part_shape(document):
+    made = solids.create(frep_solid.FrepSolid, document)
+    made.Expression = [shape for shape in shapes.designs() if shape.name == "bracket"][0].text
+    document.recompute()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(made)
+    FreeCADGui.runCommand("Fieldfab_ToPartShape")
+    live(0.3)
+    shape = document.Objects[-1]
+    assert shape.isValid() and shape.Faces < 100 and "cylindrical" in shape.Kinds
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    window.shot("bracket_shape")

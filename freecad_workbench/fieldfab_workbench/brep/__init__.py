@@ -1,0 +1,1 @@
+"""Boundary representation: a solid's mesh as faces on planes, cylinders, cones, spheres, tori and B-splines."""
