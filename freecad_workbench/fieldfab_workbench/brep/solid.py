@@ -3,6 +3,7 @@
 import itertools
 import os
 import tempfile
+import time
 
 import FreeCAD
 import numpy as np
@@ -15,13 +16,21 @@ from .topology import Builder
 
 MOST_FACES = 1500
 COARSE = 0.5  # greatest distance of an edge from its faces, in cells
+LONGEST = 60.0  # seconds; what takes longer are organic shapes and lattices, which gain nothing
 
 
 def shape_of(vertices, triangles, field=None, progress=lambda fraction: None):
-    """Returns the Part shape of a closed mesh, or None if no valid one of the same volume comes out. `field`: the
-    fieldfab.Solid that the mesh shows. `progress(fraction)` may raise an exception to stop the work."""
+    """Returns the Part shape of a closed mesh, or None if no valid one of the same volume comes out in time. `field`:
+    the fieldfab.Solid that the mesh shows. `progress(fraction)` may raise an exception to stop the work."""
+    ends = time.monotonic() + LONGEST
+
+    def advance(fraction):
+        progress(fraction)
+        if time.monotonic() > ends:
+            raise ValueError("it takes too long")
+
     try:
-        return _shape_of(samples_of(vertices, triangles, field), progress)
+        return _shape_of(samples_of(vertices, triangles, field), advance)
     except (ArithmeticError, ValueError, np.linalg.LinAlgError, Part.OCCError) as error:
         FreeCAD.Console.PrintLog(f"Fieldfab: no curved faces: {error}\n")
         return None
