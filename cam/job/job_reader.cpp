@@ -49,7 +49,7 @@ class JobReader {
     job_.file_ = path_.string();
     job_.program_.name = table_.text("name").value_or(path_.stem().string());
     read_machine();
-    read_feeds();
+    if (const auto feeds = table_.table("feeds")) job_.adjust_feeds(feed_limits_of(*feeds));
     read_input();
     read_stock();
     tools_ = read_tools(table_, path_.parent_path());
@@ -64,18 +64,6 @@ class JobReader {
   [[nodiscard]] std::filesystem::path beside(const std::string& name) const {
     const std::filesystem::path p(name);
     return p.is_absolute() ? p : path_.parent_path() / p;
-  }
-
-  void read_feeds() {
-    const auto table = table_.table("feeds");
-    if (!table) return;
-    table->only({"least", "most"});
-    FeedLimits limits;
-    limits.least = table->number("least").value_or(limits.least);
-    limits.most = table->number("most").value_or(limits.most);
-    if (!(limits.least > 0 && limits.least <= 1)) throw refuse(*table, "least", "least must be above 0 and at most 1");
-    if (!(limits.most >= 1 && limits.most <= 100)) throw refuse(*table, "most", "most must be from 1 to 100");
-    job_.adjust_feeds(limits);
   }
 
   void read_machine() {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/toml_table.h"
 #include "fieldfab/cam/base/tool_solid.h"
+#include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
 
@@ -35,6 +37,18 @@ double chip(double width, double radius) {
 double bulge_of(double bulge, double share) { return std::tan(std::atan(bulge) * share); }
 
 }  // namespace
+
+FeedLimits feed_limits_of(const TomlTable& table) {
+  table.only({"least", "most"});
+  FeedLimits limits;
+  limits.least = table.number("least").value_or(limits.least);
+  limits.most = table.number("most").value_or(limits.most);
+  if (!(limits.least > 0 && limits.least <= 1))
+    throw Error(ErrorKind::bad_input, table.place("least"), "least must be above 0 and at most 1");
+  if (!(limits.most >= 1 && limits.most <= 100))
+    throw Error(ErrorKind::bad_input, table.place("most"), "most must be from 1 to 100");
+  return limits;
+}
 
 /// Executes the moves in short pieces; moves with a turning axis in one.
 std::vector<MeasuredStock::Piece> MeasuredStock::measure(const std::vector<Move>& moves, const Tool& tool,

@@ -9,10 +9,15 @@
 
 namespace fieldfab::cam {
 
+class TomlTable;
+
 /// How far feeds may be changed, in parts of the planned feed.
 struct FeedLimits {
   double least = 0.4, most = 2.5;
 };
+
+/// Returns the limits of a job's table [feeds]. Throws Error(bad_input) at the key.
+FeedLimits feed_limits_of(const TomlTable& table);
 
 /// Material that an operation removes.
 struct FeedReport {
