@@ -771,6 +771,10 @@ def test_a_scan_becomes_a_simulated_program(page, folder, server, tmp_path):
     plan(page)
     page.shot("web_machine")
     assert "The simulation found" in page.text("#job-result") and "s" in page.text("#job-time")
+    page.find("#panels [data-setting=adjust_feeds]").click()
+    page.until(lambda: json.loads((folder / "ball.job").read_text())["adjust_feeds"], "the job's file")
+    plan(page)
+    assert "with the planned feeds" in page.text("#job-result")
     assert program_of(page, server, tmp_path / "program.ngc") == "ball.ngc"
     places, kinds, _ = moves(tmp_path / "program.ngc", tools=((1, 40, 4),))
     assert len(places) > 100 and {"STRAIGHT_TRAVERSE", "STRAIGHT_FEED"} <= set(kinds)

@@ -45,6 +45,8 @@ def toml_of(job, model=None):
               "", *table("[stock]", job["stock"])]
     if job["setting"]:
         lines += table("[setting]", job["setting"])
+    if job["adjust_feeds"]:
+        lines += table("[feeds]", {})
     for name, tables_of_it in (("tool", job["tools"]), ("operation", job["operations"])):
         for values in tables_of_it:
             lines += table(f"[[{name}]]", values)
@@ -133,7 +135,9 @@ def plan(solid, job, into, progress):
     reports = [{name: each[name] for name in ("name", "cut", "rapid", "seconds")} for each in planned.reports]
     low, high = np.array(planned.stock[:3]) + planned.zero, np.array(planned.stock[3:]) + planned.zero
     return {"program": program, "notes": planned.notes, "reports": reports,
-            "seconds": sum(each["seconds"] for each in reports), "stock": [*low.tolist(), *high.tolist()]}
+            "seconds": sum(each["seconds"] for each in reports),
+            "planned_seconds": sum(each["planned_seconds"] for each in planned.reports),
+            "stock": [*low.tolist(), *high.tolist()]}
 
 
 def tool_parts(playback, drawing):

@@ -19,7 +19,8 @@ KINDS = {
     **{name: {"type": "integer", "minimum": 8, "maximum": LIMITS.side} for name in ("width", "height")},
     **{name: {"type": "boolean"} for name in ("coarse", "smooth", "simulate")},
     "job": {"type": "object",
-            "description": "machine, material, setting, zero, stock, tools, operations, as docs/cam.md has them"},
+            "description": "machine, material, setting, zero, stock, tools, operations, as docs/cam.md has them; "
+                           "adjust_feeds"},
 }
 
 

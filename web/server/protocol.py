@@ -128,17 +128,20 @@ def settings(value, name, keys=None):
 
 def machining_job(value, name):
     """Checks a job of fieldfab.cam; it must not name files."""
-    fields = {"machine", "material", "setting", "zero", "stock", "tools", "operations"}
+    fields = {"machine", "material", "setting", "zero", "stock", "tools", "operations", "adjust_feeds"}
     if not isinstance(value, dict) or set(value) - fields:
         raise wrong(f"'{name}' must be an object of {', '.join(sorted(fields))}")
     lists = {each: value.get(each, []) for each in ("tools", "operations")}
     if any(not isinstance(each, list) or len(each) > 50 for each in lists.values()):
         raise wrong("'tools' and 'operations' must be lists of at most 50")
+    if not isinstance(value.get("adjust_feeds", False), bool):
+        raise wrong("'adjust_feeds' must be true or false")
     return {"machine": one_of(value.get("machine"), "machine", tuple(ff.cam.machines())),
             "material": short_text(value.get("material", ""), "material"),
             "setting": settings(value.get("setting", {}), "setting"),
             "zero": one_of(value.get("zero", "model"), "zero", ("model", "corner", "centre")),
             "stock": settings(value.get("stock", {}), "stock", STOCK_KEYS),
+            "adjust_feeds": value.get("adjust_feeds", False),
             "tools": [settings(each, "tool", TOOL_KEYS) for each in lists["tools"]],
             "operations": [settings(each, "operation") for each in lists["operations"]]}
 

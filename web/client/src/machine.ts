@@ -19,10 +19,10 @@ interface Operation { name: string; help: string; settings: Setting[] }
 interface Tables { machines: Machine[]; operations: Operation[]; joining: Setting[] }
 interface JobText {
   format: "fieldfab job"; version: 1; machine: string; material: string; setting: Values; zero: string; stock: Values;
-  tools: Values[]; operations: Values[]
+  tools: Values[]; operations: Values[]; adjust_feeds?: boolean
 }
 interface Told {
-  program: string; notes: string[]; seconds: number; stock: number[];
+  program: string; notes: string[]; seconds: number; planned_seconds: number; stock: number[];
   reports: { name: string; cut: number; rapid: number; seconds: number }[];
   good?: boolean; events?: { kind: string; line: number; amount: number }[]; removed?: number; simulated?: number;
 }
@@ -50,6 +50,11 @@ const STOCK: Setting[] = [number("margin", "about the part", "mm", 0), number("t
 const ZERO = choice("zero",
   "where the program's zero is: as the model has it, or at the corner or the centre of its top",
   ["model", "corner", "centre"]);
+
+const FEEDS: Setting = {
+  ...number("adjust_feeds", "to the material that each move removes: slower in corners, faster in air", ""),
+  kind: "flag",
+};
 
 /** Returns a default job. `sampled`: the model is a scan or a mesh; a lattice as fine as its samples suffices. */
 function fresh(flat: boolean, sampled: boolean): JobText {
@@ -251,6 +256,7 @@ export class MachineView {
             (value) => { operation.tool = Number(value); }),
           element("p", { className: "quiet" }, of.help), this.rows([...of.settings, ...joining], operation));
       });
+    cuts.querySelector(".panel")!.append(this.rows([FEEDS], job as unknown as Values));
     const opened = [...by("panels").querySelectorAll<HTMLDetailsElement>("details")].map(
       (each) => [each.firstElementChild!.firstChild!.textContent, each.open] as const);
     by("panels").replaceChildren(main, stock, tools,
@@ -311,6 +317,7 @@ export class MachineView {
       `${each.kind}, line ${each.line}: ${short(each.amount, 3)} mm`));
     by("job-result").replaceChildren(
       element("p", {}, element("strong", { id: "job-time" }, time(told.seconds)), " ",
+        ...(told.planned_seconds !== told.seconds ? [`(${time(told.planned_seconds)} with the planned feeds) `] : []),
         ...(simulated ? [element("span", { className: told.good ? "good" : "bad" },
           told.good ? "The simulation found no fault." : "The simulation found faults.")] : [])),
       ...(faults.length ? [element("ul", {}, ...faults)] : []), element("table", {}, ...rows),
