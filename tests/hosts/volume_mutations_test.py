@@ -81,3 +81,20 @@ def test_damaged_level_sets(tmp_path):
     command = [COMMAND, "convert", tmp_path / "ball.frep", "-o", tmp_path / "ball.vdb", "--voxel", "0.25"]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     mutate(tmp_path / "ball.vdb", tmp_path / "ball.vdb", "vdb", max(1, COUNT // 5))
+
+
+@pytest.mark.parametrize("name, old, new, words", [
+    ("mhd", b"NDims = 3", b"NDims = -1", "-1 dimensions"), ("mha", b"NDims = 3", b"NDims = 1e39", "1e+39 dimensions"),
+    ("nifti", None, b"\0\0\0\x7f", "not possible")])
+def test_headers_that_itk_reads_for_ever(tmp_path, name, old, new, words):
+    contents, _, _ = FORMATS[name]
+    path = files(tmp_path, contents)
+    data = path.read_bytes()
+    if old:
+        assert old in data
+        data = data.replace(old, new)
+    else:  # an element of the matrix whose square is no float
+        data = data[:254] + b"\1\0" + data[256:288] + new + data[292:]
+    path.write_bytes(data)
+    done = subprocess.run([COMMAND, "info", path], capture_output=True, text=True, timeout=20)
+    assert done.returncode == 2 and words in done.stderr, done.stderr

@@ -186,8 +186,8 @@ class NiftiHeader {
     if (size() == 540) refuse(path, "is a NIfTI-2 file; NIfTI-1 is read");
     if (size() != 348) refuse(path, "is no NIfTI file, or a damaged one");
   }
-  /// Refuses headers that make nifti_clib write to stderr or ITK end the process (transforms that
-  /// are not finite).
+  /// Refuses headers that make nifti_clib write to stderr, or ITK end the process or never end (transforms that are not
+  /// finite, or far too large).
   void require_sound() const {
     const int dimensions = at<std::int16_t>(40), type = at<std::int16_t>(70);
     if (dimensions < 1 || dimensions > 7) refuse(path_, fmt::format("{} dimensions; a volume has three", dimensions));
@@ -212,7 +212,8 @@ class NiftiHeader {
   [[nodiscard]] int size() const { return at<std::int32_t>(0); }
   void require_finite(std::size_t first, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i)
-      if (!std::isfinite(at<float>(first + 4 * i)))
+      // ITK decomposes the matrix in single precision, without an end where squares overflow.
+      if (constexpr float most = 1e12F; !(std::abs(at<float>(first + 4 * i)) <= most))
         refuse(path_, "tells distances or directions that are not possible");
   }
   template <class Number>
@@ -346,9 +347,27 @@ std::string list_of_series(const itk::GDCMSeriesFileNames::SeriesUIDContainerTyp
   return list;
 }
 
+/// Refuses a MetaImage with an impossible number of dimensions: ITK would read that many numbers of each line.
+void require_meta_dimensions(const Path& path) {
+  std::string head(1 << 16, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  for (std::size_t at = head.find("NDims"); at != std::string::npos; at = head.find("NDims", at + 1)) {
+    const std::size_t value = head.find_first_not_of(" \t=:", at + 5);
+    if (value == std::string::npos) return;
+    if (at > 0 && head[at - 1] != '\n' && head[at - 1] != '\r') continue;  // not a key
+    const double count = std::strtod(head.c_str() + value, nullptr);
+    if (!(count >= 1 && count <= 10)) refuse(path, fmt::format("{:.9g} dimensions; a volume has three", count));
+  }
+}
+
 VolumePtr open(const Path& path) {
   const std::string extension = extension_of(path);
-  if (extension == ".mha" || extension == ".mhd") return open_meta(path);
+  if (extension == ".mha" || extension == ".mhd") {
+    require_meta_dimensions(path);
+    return open_meta(path);
+  }
   if (extension == ".nrrd" || extension == ".nhdr") {
     require_nrrd_samples(path);
     const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
