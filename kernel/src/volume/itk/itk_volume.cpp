@@ -191,6 +191,8 @@ class NiftiHeader {
   void require_sound() const {
     const int dimensions = at<std::int16_t>(40), type = at<std::int16_t>(70);
     if (dimensions < 1 || dimensions > 7) refuse(path_, fmt::format("{} dimensions; a volume has three", dimensions));
+    for (int axis = 1; axis <= dimensions; ++axis)
+      if (at<std::int16_t>(40 + 2 * static_cast<std::size_t>(axis)) < 1) refuse(path_, "an impossible size");
     constexpr std::array types{2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1280, 1536, 1792, 2048, 2304};
     if (std::find(types.begin(), types.end(), type) == types.end())
       refuse(path_, fmt::format("samples of an unknown type, {}", type));
