@@ -13,6 +13,7 @@ DATA = ROOT / "tests" / "data"
 sys.path.insert(0, str(BUILD / "python"))
 
 
+@pytest.hookimpl(tryfirst=True)  # before xdist looks at the groups, also where the command names a file
 def pytest_collection_modifyitems(items):
     """Assigns all tests of a file to one pytest worker, since its fixtures are slow. Tests in FreeCAD are distributed
     individually, since each starts its own FreeCAD."""
