@@ -183,9 +183,10 @@ class JobRunner {
       left_.cut(section.moves, op.tool, op.plane, progress_);
     if (measured_ && op.tool.diameter > 0) {
       report.planned_seconds = duration(placed(section.moves, op.plane, 0.005), job_.machine_.dynamics);
+      FeedReport removed;
       section.moves =
           measured_->adjust(section.moves, op.tool, op.plane, cuts.width > 0 ? cuts.width : op.tool.diameter,
-                            *job_.feed_limits_, report.feeds, progress_);
+                            *job_.feed_limits_, removed, progress_);
     }
     section.moves = placed(section.moves, op.plane, 0.005);
     report.paths = cuts.paths.size();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/toml_table.h"
 #include "fieldfab/cam/base/tool_solid.h"
@@ -43,11 +42,15 @@ FeedLimits feed_limits_of(const TomlTable& table) {
   FeedLimits limits;
   limits.least = table.number("least").value_or(limits.least);
   limits.most = table.number("most").value_or(limits.most);
-  if (!(limits.least > 0 && limits.least <= 1))
-    throw Error(ErrorKind::bad_input, table.place("least"), "least must be above 0 and at most 1");
-  if (!(limits.most >= 1 && limits.most <= 100))
-    throw Error(ErrorKind::bad_input, table.place("most"), "most must be from 1 to 100");
+  require_possible(limits, table.place("least"), table.place("most"));
   return limits;
+}
+
+void require_possible(const FeedLimits& limits, const std::string& place_of_least, const std::string& place_of_most) {
+  if (!(limits.least > 0 && limits.least <= 1))
+    throw Error(ErrorKind::bad_input, place_of_least, "least must be above 0 and at most 1");
+  if (!(limits.most >= 1 && limits.most <= 100))
+    throw Error(ErrorKind::bad_input, place_of_most, "most must be from 1 to 100");
 }
 
 /// Executes the moves in short pieces; moves with a turning axis in one.
@@ -61,7 +64,6 @@ std::vector<MeasuredStock::Piece> MeasuredStock::measure(const std::vector<Move>
   std::vector<Piece> pieces;
   std::vector<Stroke> strokes;
   const auto pose = [&](const Vec3& tip, const Vec3& axis) { return ToolPose{plane.out_of(tip), plane.axes * axis}; };
-  ++number_;
   for (std::size_t k = 1; k < moves.size(); ++k) {
     const Move &last = moves[k - 1], &move = moves[k];
     if (move.rapid()) continue;
@@ -73,7 +75,7 @@ std::vector<MeasuredStock::Piece> MeasuredStock::measure(const std::vector<Move>
     for (int i = 1; i <= count; ++i) {
       const double share = static_cast<double>(i) / count;
       const ToolPose to = pose(place_between(last.to, move.to, move.bulge, share), move.axis);
-      for (const ToolPiece& piece : cutter) strokes.push_back({&piece, from, to, number_, true});
+      for (const ToolPiece& piece : cutter) strokes.push_back({&piece, from, to});
       pieces.push_back({k, share, length / count, descends});
       from = to;
     }

@@ -41,9 +41,8 @@ def test_programs_of_shops(name, verdict, tmp_path):
     assert done.returncode == (1 if events else 0)
     if name in REMOVED:
         assert told["removed"] == pytest.approx(REMOVED[name], rel=0.01)
-    other = "linuxcnc" if name.startswith("fanuc") else None
-    if other:  # their headers are errors of LinuxCNC's interpreter
-        assert run("simulate", FOLDER / name, "--setup", FOLDER / "plate.toml", "--dialect", other).returncode == 2
+    if name.startswith("fanuc"):  # their headers are errors of LinuxCNC's interpreter
+        assert run("simulate", FOLDER / name, "--setup", FOLDER / "plate.toml").returncode == 2
 
 
 def test_all_of_them_are_in_the_documents():

@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from simulate_test import run
+from simulate_test import TOOLS, run
 
 import fieldfab as ff
 
@@ -15,17 +15,7 @@ model = "part.frep"
 [stock]
 margin = 2
 top = 0.5
-[[tool]]
-number = 1
-diameter = 6
-flute = 16
-length = 30
-[[tool]]
-number = 2
-shape = "ball"
-diameter = 4
-flute = 14
-length = 30
+""" + TOOLS + """
 [[operation]]
 type = "rough"
 tool = 1
@@ -93,6 +83,9 @@ def test_python_adjusts_feeds(tmp_path):
     (tmp_path / "part.frep").write_text(PART)
     (tmp_path / "job.toml").write_text(JOB)
     job = ff.cam.Job(tmp_path / "job.toml")
+    for limits in ({"least": 0}, {"most": 0.5}, {"most": float("nan")}):
+        with pytest.raises(ff.Error, match="must be"):
+            job.adjust_feeds(**limits)
     job.adjust_feeds(most=2)
     job.run()
     assert sum(report["seconds"] - report["planned_seconds"] for report in job.reports) < 0

@@ -37,9 +37,8 @@ struct OperationReport {
   Lengths length;
   /// machining time, seconds
   double seconds = 0;
-  /// with adjusted feeds: time with the planned ones, seconds, and what the operation removes
+  /// with adjusted feeds: time with the planned ones, seconds
   std::optional<double> planned_seconds;
-  FeedReport feeds;
 };
 
 /// A validated job with its results.
@@ -57,7 +56,11 @@ class Job {
   /// Returns the chains of stages with all settings and their origins, for people.
   [[nodiscard]] std::string plan() const;
   /// Has run() adjust feeds to the material that each move removes; [feeds] in a job file does the same.
-  void adjust_feeds(const FeedLimits& limits) { feed_limits_ = limits; }
+  /// Throws Error(bad_input) for limits that mean nothing.
+  void adjust_feeds(const FeedLimits& limits) {
+    require_possible(limits);
+    feed_limits_ = limits;
+  }
   /// Whether it does.
   [[nodiscard]] bool adjusts_feeds() const { return feed_limits_.has_value(); }
   /// Plans all paths. Throws Error(bad_input), Error(cancelled).

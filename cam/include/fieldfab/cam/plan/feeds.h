@@ -1,6 +1,7 @@
 /// Feeds by the material that each move removes: slower in corners, faster where there is little of it or none.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fieldfab/cam/plan/planes.h"
@@ -19,6 +20,10 @@ struct FeedLimits {
 /// Returns the limits of a job's table [feeds]. Throws Error(bad_input) at the key.
 FeedLimits feed_limits_of(const TomlTable& table);
 
+/// Throws Error(bad_input) for limits that mean nothing.
+void require_possible(const FeedLimits& limits, const std::string& place_of_least = "feeds",
+                      const std::string& place_of_most = "feeds");
+
 /// Material that an operation removes.
 struct FeedReport {
   /// Cross-section of the removed material at which the planned feed stays: nine tenths of the way in material have at
@@ -27,7 +32,8 @@ struct FeedReport {
   double rate_before = 0, rate_after = 0;  ///< greatest removal rate with planned and with adjusted feeds, mm^3/min
 };
 
-/// The stock of a job, cut as the simulation cuts it, so that what each move removes is known.
+/// The stock of a job, cut as the simulation cuts it, so that what each move removes is known. (Tools cut PlannedStock
+/// thinner than they are.)
 class MeasuredStock {
  public:
   explicit MeasuredStock(Stock start) : stock_(std::move(start)) {}
@@ -44,7 +50,6 @@ class MeasuredStock {
   std::vector<Piece> measure(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, Progress& progress);
 
   Stock stock_;
-  std::uint32_t number_ = 0;
 };
 
 }  // namespace fieldfab::cam
