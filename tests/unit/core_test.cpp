@@ -111,15 +111,25 @@ TEST(ProgressOf, WorkThatOnlyChecksCanBeCancelledByItsListener) {
 
 TEST(CopyOfProcess, EndsInThePlaceOfThisOne) {
   int made = 0;
-  EXPECT_TRUE(ends_by_itself([&] { ++made; }, Progress::none()));
+  EXPECT_EQ(run_in_copy([&] { ++made; }, Progress::none()), CopyEnd::completed);
   EXPECT_EQ(made, 0);
-  EXPECT_TRUE(ends_by_itself([] { throw Error(ErrorKind::bad_input, "a", "b"); }, Progress::none()));
-  EXPECT_FALSE(ends_by_itself([] { std::abort(); }, Progress::none()));
-  EXPECT_FALSE(ends_by_itself([] { std::raise(SIGSEGV); }, Progress::none()));
+  EXPECT_EQ(run_in_copy([] { throw Error(ErrorKind::bad_input, "a", "b"); }, Progress::none()), CopyEnd::completed);
+  EXPECT_EQ(run_in_copy([] { std::abort(); }, Progress::none()), CopyEnd::crashed);
+  EXPECT_EQ(run_in_copy([] { std::raise(SIGSEGV); }, Progress::none()), CopyEnd::crashed);
 }
 
 TEST(CopyOfProcess, IsGivenUpIfItWaitsForLong) {
-  EXPECT_TRUE(ends_by_itself([] { std::this_thread::sleep_for(std::chrono::minutes(10)); }, Progress::none()));
+  const auto wait = [] { std::this_thread::sleep_for(std::chrono::minutes(10)); };
+  EXPECT_EQ(run_in_copy(wait, Progress::none()), CopyEnd::unknown);
+}
+
+TEST(CopyOfProcess, KilledByTheSystemMeansTooLittleMemory) {
+  try {
+    run_in_copy([] { std::raise(SIGKILL); }, Progress::none());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::too_large);
+  }
 }
 
 TEST(CopyOfProcess, IsKilledWhenTheWorkIsCancelled) {
@@ -129,7 +139,7 @@ TEST(CopyOfProcess, IsKilledWhenTheWorkIsCancelled) {
     progress.cancel();
   });
   const auto sleep = [] { std::this_thread::sleep_for(std::chrono::minutes(1)); };
-  EXPECT_THROW((void)ends_by_itself(sleep, progress), Error);
+  EXPECT_THROW(run_in_copy(sleep, progress), Error);
   canceller.join();
 }
 

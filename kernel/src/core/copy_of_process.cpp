@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <ctime>
 
+#include "fieldfab/core/error.h"
+
 namespace fieldfab {
 namespace {
 
@@ -32,7 +34,7 @@ constexpr int completed = 87;  ///< exit code of a copy that has done its work
     dup2(nothing, STDOUT_FILENO), dup2(nothing, STDERR_FILENO);
   try {
     work();
-  } catch (...) {  // the original will throw it, too
+  } catch (...) {  // counts as completion
   }
   _exit(completed);
 }
@@ -45,17 +47,20 @@ struct Copy {
   ~Copy() {
     if (!waited) {
       kill(process, SIGKILL);
-      wait();
+      while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+      }
     }
     close(open);
   }
-  /// Waits for its end; returns whether it completed the work, as far as the system tells (not if SIGCHLD is ignored).
-  bool wait() {
+  /// Waits for its end.
+  CopyEnd wait() {
     int status = 0;
     waited = true;
     while (waitpid(process, &status, 0) < 0)
-      if (errno != EINTR) return true;
-    return WIFEXITED(status) && WEXITSTATUS(status) == completed;
+      if (errno != EINTR) return CopyEnd::completed;  // the system does not tell: SIGCHLD is ignored
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+      throw Error(ErrorKind::too_large, "", "the system ended this work; it has too little memory");
+    return WIFEXITED(status) && WEXITSTATUS(status) == completed ? CopyEnd::completed : CopyEnd::crashed;
   }
   /// Processor time that it has used, ns.
   [[nodiscard]] std::int64_t used() const {
@@ -71,16 +76,16 @@ struct Copy {
 
 }  // namespace
 
-bool ends_by_itself(const std::function<void()>& work, Progress& progress) {
+CopyEnd run_in_copy(const std::function<void()>& work, Progress& progress) {
   progress.check();
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) return true;
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) return CopyEnd::unknown;
   const pid_t original = getpid(), process = fork();
   if (process == 0) run_as_copy(work, original);
   close(ends[1]);
   if (process < 0) {
     close(ends[0]);
-    return true;
+    return CopyEnd::unknown;
   }
   Copy copy{process, ends[0]};
   std::int64_t used = -1;
@@ -91,7 +96,7 @@ bool ends_by_itself(const std::function<void()>& work, Progress& progress) {
     if (poll(&waiting, 1, 50) > 0) return copy.wait();
     const auto now = std::chrono::steady_clock::now();
     if (const std::int64_t more = copy.used(); more != used) used = more, since = now;
-    if (now - since > longest_rest) return true;
+    if (now - since > longest_rest) return CopyEnd::unknown;
   }
 }
 

@@ -15,7 +15,7 @@ const ItkPart& itk() {
 
 }  // namespace
 
-VolumePtr open_with_itk(const Path& path) { return itk().open(path); }
+VolumePtr open_with_itk(const Path& path, Progress& progress) { return itk().open(path, progress); }
 
 VolumePtr open_dicom(const Path& path, const std::string& series, Progress& progress) {
   return itk().open_dicom(path, series, progress);
@@ -33,6 +33,8 @@ VolumePtr denoised(VolumePtr volume, const Denoising& denoising, Progress& progr
   return denoising.kind == Denoising::Kind::none ? volume : itk().denoised(volume, denoising, progress);
 }
 
-VolumePtr open_vdb(const Path& path) { return in_part<VdbVolumePart>("openvdb", "fieldfab_vdb_volume").open(path); }
+VolumePtr open_vdb(const Path& path, Progress& progress) {
+  return in_part<VdbVolumePart>("openvdb", "fieldfab_vdb_volume").open(path, progress);
+}
 
 }  // namespace fieldfab

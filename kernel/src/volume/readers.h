@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ using Path = std::filesystem::path;
 /// Returns the number of samples of a lattice. Throws bad_input for less than two along an axis, or
 /// for more than can be counted.
 std::size_t sample_count(const std::array<long long, 3>& size, const Path& path);
+
+/// Returns a volume of lattice.count() densities, or more, in memory that it keeps.
+VolumePtr volume_in(std::shared_ptr<const float> densities, const SampleLattice& lattice,
+                    std::optional<double> own_threshold, SampleType type);
 
 /// Converts samples of a file to floats; `swap` reverses their bytes.
 void to_floats(SampleType type, const std::byte* from, std::size_t count, bool swap, float* out);
@@ -72,7 +77,7 @@ std::vector<SlicePtr> tiff_pages(const Path& path);
 SlicePtr png_slice(const Path& path);
 
 /// Opens MetaImage, NRRD and NIfTI, through ITK.
-VolumePtr open_with_itk(const Path& path);
+VolumePtr open_with_itk(const Path& path, Progress& progress);
 /// Opens the DICOM series of a folder, or a single file; through ITK.
 VolumePtr open_dicom(const Path& path, const std::string& series, Progress& progress);
 /// Whether a file is DICOM, by its content.
@@ -81,6 +86,6 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress);
 
 /// Opens the first grid of numbers in a .vdb file; the signed distance of a level set becomes a
 /// density below 0.
-VolumePtr open_vdb(const Path& path);
+VolumePtr open_vdb(const Path& path, Progress& progress);
 
 }  // namespace fieldfab

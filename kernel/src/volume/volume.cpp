@@ -8,6 +8,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
+#include "volume/readers.h"
 
 namespace fieldfab {
 namespace {
@@ -73,17 +74,17 @@ namespace {
 
 class InMemory final : public Volume {
  public:
-  InMemory(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold,
+  InMemory(std::shared_ptr<const float> densities, const SampleLattice& lattice, std::optional<double> own_threshold,
            SampleType type)
       : Volume(lattice, type, own_threshold), densities_(std::move(densities)) {}
   void read(int first, int count, float* out) const override {
     const std::size_t slice = lattice_.slice();
-    std::copy_n(densities_.data() + static_cast<std::size_t>(first) * slice, static_cast<std::size_t>(count) * slice,
+    std::copy_n(densities_.get() + static_cast<std::size_t>(first) * slice, static_cast<std::size_t>(count) * slice,
                 out);
   }
 
  private:
-  std::vector<float> densities_;
+  std::shared_ptr<const float> densities_;
 };
 
 class Cropped final : public Volume {
@@ -188,17 +189,28 @@ class Halved final : public Volume {
   VolumePtr fine_;
 };
 
+void require_extent(const SampleLattice& lattice) {
+  for (const int n : lattice.size)
+    if (n < 2)
+      throw Error(ErrorKind::bad_input, "volume", fmt::format("{} samples along an axis; a solid needs two", n));
+}
+
 }  // namespace
 
 VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold,
                     SampleType type) {
-  for (const int n : lattice.size)
-    if (n < 2)
-      throw Error(ErrorKind::bad_input, "volume", fmt::format("{} samples along an axis; a solid needs two", n));
+  require_extent(lattice);
   if (densities.size() != lattice.count())
     throw Error(ErrorKind::bad_input, "volume",
                 fmt::format("{} densities for {} x {} x {} samples", densities.size(), lattice.size[0], lattice.size[1],
                             lattice.size[2]));
+  const auto owner = std::make_shared<const std::vector<float>>(std::move(densities));
+  return volume_in({owner, owner->data()}, lattice, own_threshold, type);
+}
+
+VolumePtr volume_in(std::shared_ptr<const float> densities, const SampleLattice& lattice,
+                    std::optional<double> own_threshold, SampleType type) {
+  require_extent(lattice);
   return std::make_shared<InMemory>(std::move(densities), lattice, own_threshold, type);
 }
 

@@ -140,8 +140,8 @@ VolumePtr open_as_is(const Path& path, const VolumeFileOptions& options, Progres
   if (extension == ".vgi") return open_vgi(path, options);
   if (is_tiff(path)) return stack_of(tiff_pages(path), {path}, {});
   if (is_one_of(extension, {".dcm", ".dicom", ".ima"})) return open_dicom(path, options.series, progress);
-  if (extension == ".vdb") return open_vdb(path);
-  return open_with_itk(path);
+  if (extension == ".vdb") return open_vdb(path, progress);
+  return open_with_itk(path, progress);
 }
 
 }  // namespace

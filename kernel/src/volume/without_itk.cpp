@@ -10,9 +10,9 @@ namespace {
 
 }  // namespace
 
-VolumePtr open_with_itk(const Path& path) { left_out(path); }
+VolumePtr open_with_itk(const Path& path, Progress&) { left_out(path); }
 VolumePtr open_dicom(const Path& path, const std::string&, Progress&) { left_out(path); }
-VolumePtr open_vdb(const Path& path) { left_out(path); }
+VolumePtr open_vdb(const Path& path, Progress&) { left_out(path); }
 bool is_dicom(const Path&) { return false; }
 void write_with_itk(const Volume&, const Path& path, Progress&) { left_out(path); }
 VolumePtr denoised(VolumePtr volume, const Denoising& denoising, Progress&) {

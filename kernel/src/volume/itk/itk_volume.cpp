@@ -15,11 +15,14 @@
 #include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/file.h"
 #include "volume/parts.h"
+#include "volume/read_in_copy.h"
 
 namespace fieldfab {
 namespace {
 
 using Component = itk::IOComponentEnum;
+
+constexpr const char *library = "ITK", *dicom_library = "GDCM";
 
 std::optional<SampleType> type_of(Component component) {
   switch (component) {
@@ -231,14 +234,14 @@ class NiftiHeader {
   bool other_order_ = false;
 };
 
-VolumePtr read_whole(itk::ImageIOBase& io, const Path& path, const Units& units = {}) {
+/// Reads all samples of an opened file.
+Samples read_whole(itk::ImageIOBase& io, const Path& path, const Room& room, const Units& units = {}) {
   SampleLattice lattice = lattice_of(io, path, false);
   units.apply(lattice);
   const SampleType type = known_type(io, path);
   require_memory(lattice.count() * (size_of(type) + sizeof(float)), path.string());
-  std::vector<float> densities(lattice.count());
-  read_samples(io, type, lattice.count(), path, densities.data());
-  return volume_of(std::move(densities), lattice, {}, type);
+  read_samples(io, type, lattice.count(), path, room(lattice.count()));
+  return {lattice, type};
 }
 
 /// Throws if a file is too short. nifti_clib reads missing bytes as zeros, so the bytes are counted
@@ -266,10 +269,12 @@ void require_all_bytes(const Path& path, std::int64_t samples) {
 /// Opens MetaImage. MetaIO fills missing samples of a short file with arbitrary values, so the size
 /// is checked first. Uncompressed samples, in the file or in a single other one, are read on
 /// demand.
-VolumePtr open_meta(const Path& path) {
-  const auto io = opened<itk::MetaImageIO>(path, "MetaImage");
-  SampleLattice lattice = lattice_of(*io, path, false);
-  const SampleType type = known_type(*io, path);
+VolumePtr open_meta(const Path& path, Progress& progress) {
+  const auto read_header = [&](const Room&) {
+    const auto io = opened<itk::MetaImageIO>(path, "MetaImage");
+    return Samples{lattice_of(*io, path, false), known_type(*io, path)};
+  };
+  auto [lattice, type, no_threshold] = read_in_copy(path, library, read_header, progress).samples;
   std::ifstream text(path, std::ios::binary);
   std::string data_file, unit;
   bool compressed = false, big_endian = false;
@@ -296,7 +301,10 @@ VolumePtr open_meta(const Path& path) {
   const bool several = data_file.find('%') != std::string::npos || data_file == "LIST";
   const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
   if (!several) require_regular_file(data);
-  if (compressed || several) return read_whole(*io, path, {mm, mm});
+  const auto read_samples_too = [&](const Room& room) {
+    return read_whole(*opened<itk::MetaImageIO>(path, "MetaImage"), path, room, {mm, mm});
+  };
+  if (compressed || several) return volume_read_in_copy(path, library, read_samples_too, progress);
   Units{mm, mm}.apply(lattice);
   if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are at its end
     header = std::max<long long>(0, static_cast<long long>(std::filesystem::file_size(data)) -
@@ -364,17 +372,11 @@ void require_meta_dimensions(const Path& path) {
   }
 }
 
-VolumePtr open(const Path& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".mha" || extension == ".mhd") {
-    require_meta_dimensions(path);
-    return open_meta(path);
-  }
-  if (extension == ".nrrd" || extension == ".nhdr") {
-    require_nrrd_samples(path);
-    const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
-    return read_whole(*io, path, units_of_nrrd(path));
-  }
+Samples read_nrrd(const Path& path, const Room& room) {
+  return read_whole(*opened<itk::NrrdImageIO>(path, "NRRD"), path, room, units_of_nrrd(path));
+}
+
+Samples read_nifti(const Path& path, const Room& room) {
   const NiftiHeader header(path);
   header.require_sound();
   {
@@ -383,14 +385,33 @@ VolumePtr open(const Path& path) {
   }
   const auto io = opened<itk::NiftiImageIO>(path, "NIfTI");
   require_all_bytes(path, static_cast<std::int64_t>(io->GetImageSizeInComponents()));
-  return read_whole(*io, path, header.units());
+  return read_whole(*io, path, room, header.units());
 }
 
-VolumePtr open_sound_dicom(const Path& path, const std::string& wanted, Progress& progress) {
-  if (!std::filesystem::is_directory(path)) {
-    const auto io = opened<itk::GDCMImageIO>(path, "DICOM");
-    return read_whole(*io, path);
+VolumePtr open(const Path& path, Progress& progress) {
+  const std::string extension = extension_of(path);
+  if (extension == ".mha" || extension == ".mhd") {
+    require_meta_dimensions(path);
+    return open_meta(path, progress);
   }
+  const bool nrrd = extension == ".nrrd" || extension == ".nhdr";
+  if (nrrd) require_nrrd_samples(path);
+  const auto read = [&](const Room& room) { return nrrd ? read_nrrd(path, room) : read_nifti(path, room); };
+  return volume_read_in_copy(path, library, read, progress);
+}
+
+/// Reads a file of one or several slices.
+Samples read_dicom_file(const Path& path, const Room& room) {
+  return read_whole(*opened<itk::GDCMImageIO>(path, "DICOM"), path, room);
+}
+
+VolumePtr open_dicom_file(const Path& path, Progress& progress) {
+  const auto read = [&](const Room& room) { return read_dicom_file(path, room); };
+  return volume_read_in_copy(path, dicom_library, read, progress);
+}
+
+/// Opens a series of a folder.
+VolumePtr open_sound_series(const Path& path, const std::string& wanted, Progress& progress) {
   std::vector<std::string> files;
   {
     const Hushed hushed;
@@ -412,10 +433,7 @@ VolumePtr open_sound_dicom(const Path& path, const std::string& wanted, Progress
                                list_of_series(series, *names)));
     files = names->GetFileNames(series[chosen]);
   }
-  if (files.size() == 1) {
-    const auto io = opened<itk::GDCMImageIO>(files[0], "DICOM");
-    return read_whole(*io, files[0]);
-  }
+  if (files.size() == 1) return open_dicom_file(files[0], progress);
   struct Placed {
     std::unique_ptr<DicomSlice> slice;
     Path path;
@@ -459,34 +477,36 @@ VolumePtr open_sound_dicom(const Path& path, const std::string& wanted, Progress
   return stack_of(std::move(slices), paths, lattice);
 }
 
-/// Whether GDCM reads all of it, possibly with an Error. Debian's GDCM has assertions in its
-/// readers, which would end this process.
-bool is_safe_dicom(const Path& path, const std::string& series, Progress& progress) {
-  return ends_by_itself(
-      [&] {
-        const VolumePtr volume = open_sound_dicom(path, series, Progress::none());
-        std::vector<float> slice(volume->lattice().slice());
-        for (int k = 0; k < volume->lattice().size[2]; ++k) volume->read(k, 1, slice.data());
-      },
-      progress);
-}
-
-VolumePtr open_tried_dicom(const Path& path, const std::string& series, Progress& progress) {
+VolumePtr open_dicom_tried(const Path& path, const std::string& series, Progress& progress) {
   progress.report(0, "reading DICOM files");
-  if (is_safe_dicom(path, series, progress)) return open_sound_dicom(path, series, progress);
-  constexpr const char* damaged = "is damaged: GDCM, which reads DICOM, gives up at it";
-  if (std::filesystem::is_directory(path))
-    for (const auto& entry : std::filesystem::directory_iterator(path))
-      if (entry.is_regular_file() && !is_safe_dicom(entry.path(), "", progress)) refuse(entry.path(), damaged);
-  refuse(path,
-         std::filesystem::is_directory(path) ? "holds a file that GDCM, which reads DICOM, gives up at" : damaged);
+  if (!std::filesystem::is_directory(path)) return open_dicom_file(path, progress);
+  // Slices of a series are read later, in this process, when they are asked for; Debian's GDCM has assertions, which
+  // would end it.
+  const auto read_series = [&] {
+    const VolumePtr volume = open_sound_series(path, series, Progress::none());
+    std::vector<float> slice(volume->lattice().slice());
+    for (int k = 0; k < volume->lattice().size[2]; ++k) volume->read(k, 1, slice.data());
+  };
+  if (run_in_copy(read_series, progress) != CopyEnd::crashed) return open_sound_series(path, series, progress);
+  for (const auto& entry : std::filesystem::directory_iterator(path)) {
+    if (!entry.is_regular_file()) continue;
+    std::vector<float> densities;
+    const auto read_file = [&] {
+      read_dicom_file(entry.path(), [&](std::size_t count) {
+        densities.resize(count);
+        return densities.data();
+      });
+    };
+    if (run_in_copy(read_file, progress) == CopyEnd::crashed) refuse_crashed(entry.path(), dicom_library);
+  }
+  refuse(path, "holds a file that GDCM, which reads DICOM, gives up at");
 }
 
 /// Whether a file just written holds these samples. MetaIO, NrrdIO and nifti_clib do not report a
 /// full disk.
 bool holds(const Path& path, const std::vector<float>& densities) {
   try {
-    const VolumePtr written = open(path);
+    const VolumePtr written = open(path, Progress::none());
     if (written->lattice().count() != densities.size()) return false;
     std::vector<float> read(densities.size());
     written->read(0, written->lattice().size[2], read.data());
@@ -542,6 +562,6 @@ void write(const Volume& volume, const Path& path, Progress& progress) {
 
 }  // namespace
 
-extern "C" const ItkPart fieldfab_itk = {open, open_tried_dicom, write, itk_denoised};
+extern "C" const ItkPart fieldfab_itk = {open, open_dicom_tried, write, itk_denoised};
 
 }  // namespace fieldfab

@@ -11,13 +11,15 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/file.h"
 #include "volume/parts.h"
+#include "volume/read_in_copy.h"
 
 namespace fieldfab {
 namespace {
@@ -25,13 +27,41 @@ namespace {
 /// Returns how many samples a file of so many bytes may span: those of a gigabyte, or 4096 for each byte.
 double most_samples(std::uintmax_t bytes) { return std::max(0x1p28, 4096.0 * static_cast<double>(bytes)); }
 
+/// Positions of a grid's samples in a box of indices.
+SampleLattice lattice_of(const openvdb::FloatGrid& grid, const openvdb::CoordBBox& box, const Path& path) {
+  const openvdb::Coord dim = box.dim();
+  SampleLattice lattice;
+  const std::size_t samples = sample_count({dim.x(), dim.y(), dim.z()}, path);
+  if (static_cast<double>(samples) > most_samples(std::filesystem::file_size(path)))
+    refuse(path,
+           fmt::format("its samples span {} x {} x {}, too many for a file of its size", dim.x(), dim.y(), dim.z()));
+  lattice.size = {dim.x(), dim.y(), dim.z()};
+  require_memory(lattice.count() * sizeof(float), path.string());
+  const auto place = [&](const openvdb::Vec3d& at) {
+    const openvdb::Vec3d world = grid.transform().indexToWorld(at);
+    return Vec3(world.x(), world.y(), world.z());
+  };
+  const openvdb::Vec3d low(box.min().x(), box.min().y(), box.min().z());
+  lattice.origin = place(low);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    openvdb::Vec3d next = low;
+    next[static_cast<int>(axis)] += 1;
+    const Vec3 step = place(next) - lattice.origin;
+    lattice.spacing[axis] = step.norm();
+    if (!(lattice.spacing[axis] > 0)) refuse(path, "holds a grid with an impossible transform");
+    lattice.axes.col(axis) = step / lattice.spacing[axis];
+  }
+  if (lattice.axes.isIdentity(1e-12)) lattice.axes.setIdentity();
+  return lattice;
+}
+
 struct Damaged : std::exception {};
 
 /// Reads the first grid of 32-bit floats of a file. OpenVDB allocates what the lengths in a header ask for before it
 /// reads; they are compared with the size of the file first.
-class Reader : openvdb::io::Archive {
+class GridReader : openvdb::io::Archive {
  public:
-  explicit Reader(const Path& path) : size_(static_cast<std::streamoff>(std::filesystem::file_size(path))) {
+  explicit GridReader(const Path& path) : size_(static_cast<std::streamoff>(std::filesystem::file_size(path))) {
     // A stream that throws at its end. OpenVDB continues beyond it and allocates memory for missing data.
     file_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
     file_.open(path, std::ios::binary);
@@ -118,58 +148,37 @@ class Reader : openvdb::io::Archive {
   std::vector<openvdb::GridBase::Ptr> grids_;  ///< all that were read: destruction of a grid uses threads
 };
 
-/// Reads a file in a copy of the process. The reader is not destroyed: oneTBB's locks may be held by threads that the
-/// copy does not have.
-void try_reader(const Path& path) { (new Reader(path))->read(); }
+constexpr const char* library = "OpenVDB";
 
-VolumePtr open(const Path& path) {
+VolumePtr open(const Path& path, Progress& progress) {
   openvdb::initialize();
-  constexpr const char* damaged = "is no .vdb file, or a damaged one, or of a later version";
-  // OpenVDB reads a block of values by the size that the file gives, also beyond the end of its memory.
-  if (!ends_by_itself([&] { try_reader(path); }, Progress::none())) refuse(path, damaged);
+  std::optional<GridReader> file;  // out here, because destruction of a grid uses threads
   openvdb::FloatGrid::Ptr grid;
-  try {
-    grid = Reader(path).read();
-  } catch (const std::exception&) {
-    refuse(path, damaged);
-  }
-  if (!grid) refuse(path, "holds no grid of 32-bit real numbers");
-  const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
-  if (active.empty()) refuse(path, "holds a grid without samples");
-  if (!grid->transform().isLinear()) refuse(path, "holds a grid that is not linear");
-  // One sample of background on all sides, which is not solid; the surface of a level set may end
-  // there.
-  openvdb::CoordBBox box = active;
-  box.expand(1);
-  const openvdb::Coord dim = box.dim();
-  SampleLattice lattice;
-  const std::size_t samples = sample_count({dim.x(), dim.y(), dim.z()}, path);
-  if (static_cast<double>(samples) > most_samples(std::filesystem::file_size(path)))
-    refuse(path,
-           fmt::format("its samples span {} x {} x {}, too many for a file of its size", dim.x(), dim.y(), dim.z()));
-  lattice.size = {dim.x(), dim.y(), dim.z()};
-  require_memory(lattice.count() * sizeof(float), path.string());
-  const auto place = [&](const openvdb::Vec3d& at) {
-    const openvdb::Vec3d world = grid->transform().indexToWorld(at);
-    return Vec3(world.x(), world.y(), world.z());
+  const auto read = [&](const Room& room) {
+    try {
+      grid = file.emplace(path).read();
+    } catch (const std::exception&) {
+      refuse(path, "is no .vdb file, or a damaged one, or of a later version");
+    }
+    if (!grid) refuse(path, "holds no grid of 32-bit real numbers");
+    const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
+    if (active.empty()) refuse(path, "holds a grid without samples");
+    if (!grid->transform().isLinear()) refuse(path, "holds a grid that is not linear");
+    // One sample of background on all sides, which is not solid; the surface of a level set may end
+    // there.
+    openvdb::CoordBBox box = active;
+    box.expand(1);
+    Samples samples{lattice_of(*grid, box, path)};
+    float* const densities = room(samples.lattice.count());
+    openvdb::tools::Dense<float, openvdb::tools::LayoutXYZ> dense(box, densities);
+    openvdb::tools::copyToDense(*grid, dense, true);  // without threads
+    if (grid->getGridClass() == openvdb::GRID_LEVEL_SET) {
+      std::transform(densities, densities + samples.lattice.count(), densities, std::negate());
+      samples.own_threshold = 0;
+    }
+    return samples;
   };
-  const openvdb::Vec3d low(box.min().x(), box.min().y(), box.min().z());
-  lattice.origin = place(low);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    openvdb::Vec3d next = low;
-    next[static_cast<int>(axis)] += 1;
-    const Vec3 step = place(next) - lattice.origin;
-    lattice.spacing[axis] = step.norm();
-    if (!(lattice.spacing[axis] > 0)) refuse(path, "holds a grid with an impossible transform");
-    lattice.axes.col(axis) = step / lattice.spacing[axis];
-  }
-  if (lattice.axes.isIdentity(1e-12)) lattice.axes.setIdentity();
-  std::vector<float> densities(lattice.count());
-  openvdb::tools::Dense<float, openvdb::tools::LayoutXYZ> dense(box, densities.data());
-  openvdb::tools::copyToDense(*grid, dense);
-  if (grid->getGridClass() != openvdb::GRID_LEVEL_SET) return volume_of(std::move(densities), lattice);
-  for (float& density : densities) density = -density;
-  return volume_of(std::move(densities), lattice, 0.0);
+  return volume_read_in_copy(path, library, read, progress);
 }
 
 }  // namespace
