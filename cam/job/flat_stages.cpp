@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "stages.h"
 
@@ -120,17 +121,106 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
   return cuts;
 }
 
-Artifact drill_stage(const Artifact& in, const Values& values, Context& context) {
+/// Holes of the part's outline up to a diameter, mm. Throws Error(bad_input) with the operation's name if there are none.
+std::vector<Hole> holes_of(const Artifact& in, double most, const char* operation, Context& context) {
   const Outline& outline = std::get<Outline>(in);
-  const double most = is_set(values, "largest") ? values.number("largest") : context.tool.diameter * 1.05;
   Loops loops = contours(*outline.distance, outline.bounds, {outline.cell}, context.progress);
   std::erase_if(loops, [](const Loop& loop) { return loop.area() > 0; });
   std::vector<Hole> found = holes(loops, 2 * outline.cell * 0.1 + 0.02);
   std::erase_if(found, [&](const Hole& h) { return 2 * h.radius > most; });
   if (found.empty())
-    throw Error(ErrorKind::bad_input, "drill", fmt::format("the part has no round holes of at most {:.4g} mm", most));
+    throw Error(ErrorKind::bad_input, operation, fmt::format("the part has no round holes of at most {:.4g} mm", most));
+  return found;
+}
+
+Artifact drill_stage(const Artifact& in, const Values& values, Context& context) {
+  const double most = is_set(values, "largest") ? values.number("largest") : context.tool.diameter * 1.05;
   PlannedCuts cuts;
-  cuts.paths = drill(found, is_set(values, "peck") ? values.number("peck") : 0, depths_of(values, context.stock));
+  cuts.drills = true;
+  cuts.paths = drill(holes_of(in, most, "drill", context), is_set(values, "peck") ? values.number("peck") : 0, depths_of(values, context.stock));
+  return cuts;
+}
+
+Artifact thread_stage(const Artifact& in, const Values& values, Context& context) {
+  ThreadSettings thread;
+  if (!is_set(values, "pitch")) throw Error(ErrorKind::bad_input, values.place("pitch"), "a thread needs its pitch");
+  thread.pitch = values.number("pitch");
+  if (is_set(values, "diameter")) thread.diameter = values.number("diameter");
+  thread.right_hand = values.text("hand") == "right";
+  thread.passes = static_cast<int>(values.number("passes"));
+  CutSettings cut = cut_of(values, context, depths_of(values, context.stock));
+  // Of a thread with a diameter: the holes that are as wide as its tips, within a quarter of the pitch.
+  const double hole = thread.diameter - 2 * thread_depth(thread.pitch);
+  std::vector<Hole> where = holes_of(in, thread.diameter > 0 ? hole + thread.pitch / 4 : 1e6, "thread", context);
+  if (thread.diameter > 0) std::erase_if(where, [&](const Hole& h) { return 2 * h.radius < hole - thread.pitch / 4; });
+  if (where.empty())
+    throw Error(ErrorKind::bad_input, "thread",
+                fmt::format("the part has no holes for this thread; it wants {:.4g} mm", hole));
+  PlannedCuts cuts;
+  cuts.paths = mill_threads(where, thread, cut);
+  cuts.ordered = true;
+  return cuts;
+}
+
+Artifact face_stage(const Artifact& in, const Values& values, Context& context) {
+  const Solid& solid = std::get<Solid>(in);
+  Depths depths;
+  depths.top = is_set(values, "top") ? values.number("top") : context.stock.upper.z();
+  if (is_set(values, "depth"))
+    depths.bottom = depths.top - values.number("depth");
+  else if (solid.flat)
+    throw Error(ErrorKind::bad_input, values.place("depth"), "the part is flat: give the depth to face");
+  else
+    depths.bottom = solid.bounds->upper.z() + values.number("allowance");
+  if (!(depths.bottom < depths.top - 1e-9))
+    throw Error(ErrorKind::bad_input, values.place("depth"),
+                "the stock is no higher than the part: there is nothing to face; give a depth");
+  if (is_set(values, "stepdown")) depths.step = values.number("stepdown");
+  const FaceSettings settings{stepover_of(values, context), to_radians(values.number("angle")),
+                              values.flag("both_ways")};
+  PlannedCuts cuts;
+  cuts.paths = face(Rectangle::of(context.stock), settings, cut_of(values, context, depths));
+  cuts.ordered = true;
+  cuts.width = settings.stepover;
+  return cuts;
+}
+
+/// Height of the part's highest point seen from the plane, mm; the stock's top for a drawing or a picture.
+double top_of_part(const Context& context) {
+  if (context.part == nullptr) return context.stock.upper.z();
+  Eigen::Affine3d into = Eigen::Affine3d::Identity();
+  into.linear() = context.plane.axes.transpose();
+  into.translation() = -context.plane.origin;
+  return tight_bounds(*transform(context.part, into), context.stock, context.progress).upper.z();
+}
+
+/// The flank of a V passes through the outline `width` inside of it at the top, while its axis runs `beyond` mm outside.
+Artifact chamfer_stage(const Artifact& in, const Values& values, Context& context) {
+  if (context.tool.shape != ToolShape::v) throw Error(ErrorKind::bad_input, "chamfer", "needs a tool of shape v");
+  const double width = values.number("width"), beyond = values.number("beyond"), wide = context.tool.diameter / 2;
+  if (width + beyond > wide)
+    throw Error(ErrorKind::bad_input, values.place("width"),
+                fmt::format("width and beyond are {:.4g} mm together; the tool's radius is {:.4g} mm", width + beyond,
+                            wide));
+  Depths depths;
+  depths.top = is_set(values, "top") ? values.number("top") : top_of_part(context);
+  depths.bottom = depths.top - (width + beyond) / std::tan(context.tool.angle / 2);
+  CutSettings cut = cut_of(values, context, depths);
+  cut.radius = beyond;
+  const Side side = values.text("side") == "outside" ? Side::outside : Side::inside;
+  PlannedCuts cuts;
+  cuts.paths = profile(std::get<Outline>(in), side, cut, {}, context.progress);
+  cuts.inside_first = false;
+  if (cuts.paths.empty())
+    throw Error(ErrorKind::bad_input, "chamfer", "the part has no outline on this side that the tool can follow");
+  return cuts;
+}
+
+Artifact engrave_stage(const Artifact& in, const Values& values, Context& context) {
+  PlannedCuts cuts;
+  cuts.paths = profile(std::get<Outline>(in), Side::on, cut_of(values, context, depths_of(values, context.stock)), {},
+                       context.progress);
+  cuts.inside_first = false;
   return cuts;
 }
 
@@ -161,6 +251,9 @@ FieldPtr inside(const FieldPtr& drawing, const Values& values, const Box& stock)
 }
 FieldPtr outside(const FieldPtr& drawing, const Values& values, const Box& stock) {
   return over_depth(complement(drawing), values, stock);
+}
+FieldPtr whole_top(const FieldPtr&, const Values& values, const Box& stock) {
+  return over_depth(box_field(stock.grown(20)), values, stock);
 }
 FieldPtr at_side(const FieldPtr& drawing, const Values& values, const Box& stock) {
   const std::string& side = values.text("side");
@@ -198,6 +291,33 @@ std::vector<Stage> flat_stages() {
                     number("largest", "mm", unset, "largest diameter of the holes; the default is that of the tool"))} +
            depth_settings(),
        drill_stage, inside},
+      {"thread", "mills threads into the part's round holes", Kind::outline, Kind::paths, true,
+       Settings{above_zero(number("pitch", "mm", unset, "rise of the thread in a turn")),
+                above_zero(number("diameter", "mm", unset,
+                                  "largest diameter of the thread, as 6 of M6; the default is that of an ISO thread in "
+                                  "each hole")),
+                choice("hand", {"right", "left"}, "a right-hand or a left-hand thread"),
+                whole(at_least(1, number("passes", "", 1, "number of passes to the thread's full depth")))} +
+           depth_settings() + cut,
+       thread_stage, inside},
+      {"face", "clears the top of the stock, down to the part", Kind::solid, Kind::paths, true,
+       Settings{stepover_setting(0.6, "greatest width of a pass"),
+                number("angle", "degrees", 0, "angle of the passes to x"),
+                flag("both_ways", true, "alternate passes run backwards")} +
+           Settings{number("top", "mm", unset, "z of the top of the material; the default is the top of the stock"),
+                    above_zero(number("depth", "mm", unset, "depth below the top; the default is down to the part")),
+                    above_zero(number("stepdown", "mm", unset, "depth of each pass; the default is one pass"))} +
+           cut,
+       face_stage, whole_top},
+      {"chamfer", "breaks the edges of the part's outline with a V", Kind::outline, Kind::paths, true,
+       Settings{above_zero(number("width", "mm", 0.5, "width of the chamfer, seen from above")),
+                choice("side", {"outside", "inside"}, "side of the outline on which the tool runs"),
+                at_least(0, number("beyond", "mm", 0.5, "distance of the tool's axis from the edge")),
+                number("top", "mm", unset, "z of the edge; the default is the top of the part")} +
+           cut,
+       chamfer_stage},
+      {"engrave", "follows the part's outline with the tip, as for lettering", Kind::outline, Kind::paths, true,
+       depth_settings(0.2) + cut, engrave_stage},
       {"v_carve", "carves the inside of the outline with a V", Kind::outline, Kind::paths, true,
        Settings{above_zero(number("stepover", "mm", 0.2, "distance of passes on a flat floor"))} + depth_settings() +
            cut,

@@ -161,6 +161,7 @@ class JobRunner {
     section.coolant = coolant_named(op.values.text("coolant"), op.values.place("coolant"));
     const LinkSettings linking = link_settings(op, cuts, stock, material);
     section.clearance = linking.clearance;
+    section.drills = cuts.drills;
     section.moves = link(cuts.paths, linking);
     if (section.moves.empty()) {
       job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));

@@ -161,7 +161,7 @@ class JobReader {
                    fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
     Box box = found.box;
     if (flat) box.lower.z() = box.upper.z() = 0;
-    return solid_of(field, "part", box, flat);
+    return solid_of(field, "part", tight_bounds(*field, box, progress_), flat);
   }
 
   /// One model, or several: together as they are, or arranged on a sheet.
@@ -194,17 +194,20 @@ class JobReader {
     Vec3 move = Vec3::Zero();
     if (const auto by = input.list("move")) move = vector_of(input, "move", 0, *by);
     // Position of the program's zero on the part.
-    const std::string zero = input.text("zero").value_or("model");
     const Box b = *solid.bounds;
-    if (zero == "corner")
-      move -= Vec3(b.lower.x(), b.lower.y(), b.upper.z());
-    else if (zero == "centre")
-      move -= Vec3(b.centre().x(), b.centre().y(), b.upper.z());
-    else if (zero != "model")
-      throw refuse(input, "zero",
-                   fmt::format("zero is '{}'; it must be one of model, corner, centre{}", zero,
-                               suggestion(zero, {"model", "corner", "centre"})));
-    zero_ = zero;
+    if (const auto given = input.value("zero"); given && std::holds_alternative<std::vector<double>>(*given)) {
+      move -= vector_of(input, "zero", 0, *input.list("zero"));
+    } else {
+      zero_ = input.text("zero").value_or("model");
+      if (zero_ == "corner")
+        move -= Vec3(b.lower.x(), b.lower.y(), b.upper.z());
+      else if (zero_ == "centre")
+        move -= Vec3(b.centre().x(), b.centre().y(), b.upper.z());
+      else if (zero_ != "model")
+        throw refuse(input, "zero",
+                     fmt::format("zero is '{}'; it must be one of model, corner, centre{}, or a point [x, y, z]", zero_,
+                                 suggestion(zero_, {"model", "corner", "centre"})));
+    }
     move_ = move;
     job_.zero_ = -move;
     if (move != Vec3::Zero()) solid = moved(solid, move);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "base/chords.h"
@@ -24,6 +25,44 @@ const char* coolant_template(Coolant coolant) {
     case Coolant::none: break;
   }
   return "coolant_off";
+}
+
+/// A hole that a tool drills straight down at the place where it is, and leaves to the height where it was.
+struct DrilledHole {
+  std::size_t moves;  ///< number of moves that drill it
+  double from;        ///< height to which the tool is rapid, mm
+  double bottom;      ///< z of the hole's bottom, mm
+  double peck;        ///< depth of each peck, mm; 0: one motion
+  double feed;        ///< mm/min
+};
+
+/// Recognises a hole in the moves from `first` on, of a tool at `at`: a rapid downwards, one or more motions downwards
+/// with motions up between them, and a rapid up.
+std::optional<DrilledHole> drilled_hole(const std::vector<Move>& moves, std::size_t first, const Vec3& at) {
+  const auto upright = [&](const Move& move) {
+    return move.bulge == 0 && move.axis == Vec3::UnitZ() && (move.to - at).head<2>().norm() < 1e-9;
+  };
+  std::size_t i = first;
+  if (i + 2 >= moves.size() || !moves[i].rapid() || !upright(moves[i]) || !(moves[i].to.z() < at.z())) return {};
+  DrilledHole hole{0, moves[i].to.z(), moves[i].to.z(), 0, moves[i + 1].feed};
+  double z = hole.from;
+  std::vector<double> depths;  // where the tool turns
+  for (++i; i < moves.size() && !moves[i].rapid(); ++i) {
+    if (!upright(moves[i])) return {};
+    const bool down = moves[i].to.z() < z;
+    if (down && moves[i].feed != hole.feed) return {};
+    if (!down && (depths.empty() || depths.back() != z)) depths.push_back(z);
+    z = moves[i].to.z();
+    hole.bottom = std::min(hole.bottom, z);
+  }
+  const bool left = i < moves.size() && upright(moves[i]) && std::abs(moves[i].to.z() - at.z()) < 1e-9;
+  if (!left || z != hole.bottom || !(hole.bottom < hole.from)) return {};
+  if (!depths.empty()) {
+    // The first depth counts from the top of the material, which pecks return to.
+    hole.peck = (depths.front() - hole.bottom) / static_cast<double>(depths.size());
+  }
+  hole.moves = i + 1 - first;
+  return hole;
 }
 
 /// Writes one program.
@@ -64,7 +103,7 @@ class TextWriter {
       spindle = section.spindle;
       if (section.coolant != coolant) out_ += templates_.fill(coolant_template(section.coolant));
       coolant = section.coolant;
-      for (const Move& move : section.moves) add(move, section);
+      for (std::size_t i = 0; i < section.moves.size();) i += add_from(section, i);
     }
     stop_cutting();
     if (coolant != Coolant::none) out_ += templates_.fill(coolant_template(Coolant::none));
@@ -174,6 +213,23 @@ class TextWriter {
   void stop_cutting() {
     if (cutting_) out_ += templates_.fill("end");
     cutting_ = false;
+  }
+
+  /// Writes a move or, by a drilling cycle, several. Returns their number.
+  std::size_t add_from(const Section& section, std::size_t first) {
+    const bool wanted = section.drills && (!values_.has("cycles") || values_.flag("cycles"));
+    const auto hole = wanted && at_known_ && !solver_.tilts() ? drilled_hole(section.moves, first, at_) : std::nullopt;
+    const char* const cycle = hole && hole->peck > 0 ? "peck_drill" : "drill";
+    if (!hole || !templates_.has(cycle)) {
+      add(section.moves[first], section);
+      return 1;
+    }
+    stop_cutting();
+    coordinate("x", at_.x() + offset_.x()), coordinate("y", at_.y() + offset_.y()), coordinate("from", hole->from);
+    coordinate("bottom", hole->bottom), templates_.set("f", hole->feed / machine_.feed_unit);
+    templates_.set("peck", hole->peck / machine_.unit);
+    out_ += templates_.fill(cycle);
+    return hole->moves;  // the tool is where it was
   }
 
   void add(const Move& move, const Section& section) {

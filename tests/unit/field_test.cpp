@@ -61,6 +61,18 @@ void expect_bounds(const FieldPtr& field, const Box& expected) {
   }
 }
 
+/// Expects tight bounds that contain the expected ones and are at most `share` of their size larger.
+void expect_tight_bounds(const FieldPtr& field, const Box& expected, double share) {
+  const Box found = tight_bounds(*field, solid_bounds(*field).box);
+  const double size = expected.size().maxCoeff(), rounding = 1e-6 * (size + expected.lower.cwiseAbs().maxCoeff());
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_LE(found.lower[axis], expected.lower[axis] + rounding) << axis;
+    EXPECT_GE(found.upper[axis], expected.upper[axis] - rounding) << axis;
+    EXPECT_GE(found.lower[axis], expected.lower[axis] - share * size - rounding) << axis;
+    EXPECT_LE(found.upper[axis], expected.upper[axis] + share * size + rounding) << axis;
+  }
+}
+
 TEST(Operations, ABlendIsAUnionAwayFromItsFillet) {
   const FieldPtr a = box_field({{-1, -1, -1}, {1, 1, 1}}), b = box_field({{9, -1, -1}, {11, 1, 1}}),
                  both = blend(a, b, 2);
@@ -83,6 +95,25 @@ TEST(Bounds, AreFoundNotGuessed) {
                 {{-std::sqrt(2.0), -std::sqrt(2.0), -1}, {std::sqrt(2.0), std::sqrt(2.0), 1}});
   expect_bounds(frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm"))),
                 {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)});
+}
+
+TEST(Bounds, CanBeTight) {
+  const auto solid = [](const char* text) { return frep::make_field(frep::parse_infix(text)); };
+  expect_tight_bounds(solid("box(40, 30, 10)"), {{-20, -15, -5}, {20, 15, 5}}, 1e-6);
+  expect_tight_bounds(solid("move(box(40, 30, 10), 1000, 0.3, -7)"), {{980, -14.7, -12}, {1020, 15.3, -2}}, 1e-6);
+  expect_tight_bounds(solid("difference(box(40, 30, 8), move(cylinder(3, 30), 9, 5, 0))"),
+                      {{-20, -15, -4}, {20, 15, 4}}, 1e-6);
+  expect_tight_bounds(solid("move(sphere(7.3), 1, 2, 3.3)"), {{-6.3, -5.3, -4}, {8.3, 9.3, 10.6}}, 1e-5);
+  const double sine = std::sin(std::numbers::pi / 9), cosine = std::cos(std::numbers::pi / 9);
+  const double y = 15 * cosine + 5 * sine, z = 15 * sine + 5 * cosine;
+  expect_tight_bounds(solid("rotate_x(box(40, 30, 10), 20)"), {{-20, -y, -z}, {20, y, z}}, 1e-4);
+  expect_tight_bounds(solid("box(40, 30, 10) | move(cylinder(0.01, 3), 11, 2, 6)"),
+                      {{-20, -15, -5}, {20, 15, 7.5}}, 1e-5);  // a needle
+  const FieldPtr tangle = frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm")));
+  expect_tight_bounds(tangle, {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)}, 8e-3);  // wide intervals
+  const Box flat = tight_bounds(*solid("circle(3)"), {{-4, -4, 0}, {4, 4, 0}});
+  EXPECT_NEAR(flat.upper.x(), 3, 1e-5);
+  EXPECT_EQ(flat.size().z(), 0);
 }
 
 frep::Expression turned(const frep::Expression& shape, int turn) {

@@ -144,4 +144,69 @@ SolidBounds solid_bounds(const Field& field, Progress& progress) {
   return BoundsSearch(field, box.grown(rounding), progress).run();
 }
 
+namespace {
+
+constexpr double finest = 0x1p-23;    // of a box's size: the distance at which a face is near enough
+constexpr int most_suspects = 4'000;  // for each face
+
+/// Finds how far the solid reaches in `within` along sign * axis: no less than it does, and as little more as intervals
+/// show. The suspect that reaches farthest is examined next. Its outer half is cut off if it is empty, and its inner half
+/// if the outer one holds some of the solid; otherwise it is halved along the side along
+/// which the values change most.
+double nearest_reach(const FieldPtr& field, const Box& within, int axis, double sign, Progress& progress) {
+  const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
+  const double near_enough = finest * within.size().maxCoeff();
+  double known = -std::numeric_limits<double>::infinity();  // how far the solid reaches at least
+  std::priority_queue<Suspect> suspects;
+  suspects.push({within, field, reach_of(within), 0});
+  for (int tried = 0; tried < most_suspects && !suspects.empty(); ++tried) {
+    if (tried % 64 == 0) progress.check();
+    Suspect next = suspects.top();
+    if (next.reach - known <= near_enough) break;
+    suspects.pop();
+    Box inner = next.box, outer = next.box;
+    const double middle = next.box.centre()[axis];
+    (sign > 0 ? inner.upper : inner.lower)[axis] = middle;
+    (sign > 0 ? outer.lower : outer.upper)[axis] = middle;
+    if (holds_nothing(field->interval(outer))) {
+      if (!holds_nothing(field->interval(inner))) suspects.push({inner, field, reach_of(inner), next.depth + 1});
+      continue;
+    }
+    Vec3 foot = outer.centre();
+    foot[axis] = middle;
+    if (field->value(foot) < 0) {
+      known = std::max(known, sign * middle);
+      suspects.push({outer, field, reach_of(outer), next.depth + 1});
+      continue;
+    }
+    const Vec3 size = next.box.size();
+    if (size.maxCoeff() <= near_enough) return next.reach;  // nothing shows that it is empty
+    // Sides along which the values change less may be longer: along an edge, the box stays as long as that.
+    const Vec3 slope = field->gradient(next.box.centre()).cwiseAbs();
+    const Vec3 weight = slope.allFinite() ? Vec3(slope / std::max(slope.maxCoeff(), 1e-30) + Vec3::Constant(0.05))
+                                          : Vec3(Vec3::Ones());
+    int longest = 0;
+    size.cwiseProduct(weight).maxCoeff(&longest);
+    for (const bool upper : {false, true}) {
+      Box half = next.box;
+      (upper ? half.lower : half.upper)[longest] = next.box.centre()[longest];
+      if (!holds_nothing(field->interval(half))) suspects.push({half, field, reach_of(half), next.depth + 1});
+    }
+  }
+  return suspects.empty() ? reach_of(within) : suspects.top().reach;
+}
+
+}  // namespace
+
+Box tight_bounds(const Field& field, const Box& bounds, Progress& progress) {
+  Box box = bounds;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(box.size()[axis] > 0)) continue;
+    const FieldPtr here = field.restricted(box, Purpose::occupancy).field;
+    const double upper = nearest_reach(here, box, axis, 1, progress), lower = -nearest_reach(here, box, axis, -1, progress);
+    if (lower < upper) box.lower[axis] = lower, box.upper[axis] = upper;
+  }
+  return box;
+}
+
 }  // namespace fieldfab

@@ -20,4 +20,9 @@ struct SolidBounds {
 /// box, also where the value may be NaN. Throws Error(cancelled).
 SolidBounds solid_bounds(const Field& field, Progress& progress = Progress::none());
 
+/// Moves each face of a box that contains a solid inwards, as near to the solid as intervals show with a limited number
+/// of boxes: flat faces to about 1e-7 of the box's size, round ones to some thousandths of a per cent. The result still
+/// contains the solid. Axes of size 0 are left as they are. Throws Error(cancelled).
+Box tight_bounds(const Field& field, const Box& bounds, Progress& progress = Progress::none());
+
 }  // namespace fieldfab

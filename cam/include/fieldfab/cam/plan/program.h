@@ -36,6 +36,7 @@ struct Section {
   Coolant coolant = Coolant::none;
   std::string setup;     ///< manual instructions before this section; empty: none
   double clearance = 0;  ///< safe height z, mm
+  bool drills = false;   ///< whether it drills holes, which a machine may do by cycles of its own
   std::vector<Move> moves;
   /// Whether the tool axis differs from z in some move.
   [[nodiscard]] bool tilted() const;

@@ -1,0 +1,122 @@
+"""Facing, chamfers, engraving and threads: jobs through the command, simulated, and read by LinuxCNC's interpreter."""
+
+import math
+import re
+
+import pytest
+from cam_test import job, run
+
+import fieldfab as ff
+import rs274
+
+JOB = """
+machine = "linuxcnc"
+[input]
+model = "part.frep"
+[stock]
+{stock}
+[[tool]]
+{tool}
+[[operation]]
+{operation}
+"""
+V = 'shape = "v"\ndiameter = 8\nangle = 90\nflute = 10'
+FLAT = 'diameter = {}\nflute = 30'
+
+
+def stock(x, y, low, high):
+    """The table of a stock around the origin; margins are about the part's bounds, which are a little wider than it."""
+    return f'coordinates = "model"\nlower = [{-x / 2}, {-y / 2}, {low}]\nupper = [{x / 2}, {y / 2}, {high}]'
+
+
+def cut(folder, part, operation, tool, stock):
+    """Returns the simulated stock's mesh and the program."""
+    path = job(folder, JOB.format(operation=operation, tool=tool, stock=stock), part_frep=part)
+    run("cam", path, "-o", folder / "out.ngc")
+    run("simulate", folder / "out.ngc", "--setup", path, "-o", folder / "stock.stl", check=False)
+    return ff.Mesh.load(folder / "stock.stl"), (folder / "out.ngc").read_text()
+
+
+@pytest.mark.parametrize("more", ["", "both_ways = false", "angle = 30", "stepdown = 0.7\nallowance = 0.2"])
+def test_facing_leaves_the_parts_top(tmp_path, more):
+    left, program = cut(tmp_path, "box(40, 30, 10)", 'type = "face"\n' + more, FLAT.format(12), stock(46, 36, -5, 6.5))
+    top = 5 + (0.2 if "allowance" in more else 0)
+    assert left.vertices[:, 2].max() == pytest.approx(top, abs=1e-3)
+    assert left.volume == pytest.approx(46 * 36 * (top + 5), rel=1e-3)
+
+
+def test_facing_without_anything_above_the_part(tmp_path):
+    path = job(tmp_path, JOB.format(operation='type = "face"', tool=FLAT.format(12), stock=stock(46, 36, -5, 5)),
+               part_frep="box(40, 30, 10)")
+    assert "nothing to face" in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
+    path = job(tmp_path, JOB.format(operation='type = "face"', tool=FLAT.format(12), stock="thickness = 3"),
+               part_frep="rectangle(40, 30)")
+    assert "give the depth" in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
+
+
+@pytest.mark.parametrize("beyond", [0.3, 1.2])
+def test_a_chamfer_is_as_wide_as_asked(tmp_path, beyond):
+    left, _ = cut(tmp_path, "box(40, 30, 10)", f'type = "chamfer"\nslice = 0\nwidth = 1\nbeyond = {beyond}', V, stock(40, 30, -5, 5))
+    removed = 0.5 * 140 - 4 / 3  # a triangle along the edges, counted once in the corners
+    assert 12000 - left.volume == pytest.approx(removed, rel=0.03)
+
+
+def test_a_chamfer_of_a_hole(tmp_path):
+    left, _ = cut(tmp_path, "difference(box(40, 30, 6), cylinder(8, 30))",
+                  'type = "chamfer"\nslice = 0\nwidth = 1\nbeyond = 0.4', V, stock(40, 30, -3, 3))
+    # In a stock without the hole the tool cuts a groove of 2.8 x 1.4 mm around its axis, 7.6 mm from that of the hole.
+    groove = 2 * math.pi * 7.6 * 1.4**2
+    assert 7200 - left.volume == pytest.approx(0.5 * 140 - 4 / 3 + groove, rel=0.03)
+
+
+def test_a_chamfer_wider_than_its_tool(tmp_path):
+    path = job(tmp_path, JOB.format(operation='type = "chamfer"\nslice = 0\nwidth = 4', tool=V, stock=stock(40, 30, -5, 5)),
+               part_frep="box(40, 30, 10)")
+    assert "the tool's radius is 4 mm" in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
+
+
+def test_engraving_follows_the_outline(tmp_path):
+    left, _ = cut(tmp_path, "box(40, 30, 10)", 'type = "engrave"\nslice = 0\ndepth = 1', V, stock(48, 38, -5, 5))
+    assert 48 * 38 * 10 - left.volume == pytest.approx(140, rel=0.05)  # a V of 1 mm along the outline
+
+
+PLATE = ("difference(box(40, 30, 8), move(cylinder(1.5, 30), 9, 5, 0), move(cylinder(1.5, 30), -9, 5, 0), "
+         "move(cylinder(1.5, 30), 0, -8, 0))")
+
+
+@pytest.mark.parametrize("machine", ["linuxcnc", "mach3"])
+@pytest.mark.parametrize("peck", ["", "peck = 2.1"])
+def test_drilling_cycles_drill_what_single_moves_drill(tmp_path, machine, peck):
+    programs, volumes, deepest = [], [], []
+    for cycles in ("true", "false"):
+        path = job(tmp_path, JOB.format(operation=f'type = "drill"\nslice = 0\n{peck}', tool=FLAT.format(3), stock=stock(40, 30, -4, 4))
+                   .replace('"linuxcnc"', f'"{machine}"') + f"[setting]\ncycles = {cycles}\n", part_frep=PLATE)
+        run("cam", path, "-o", tmp_path / "out.ngc")
+        told = run("simulate", tmp_path / "out.ngc", "--setup", path, "-o", tmp_path / "stock.stl").stdout
+        assert "nothing is wrong" in told
+        programs.append((tmp_path / "out.ngc").read_text())
+        volumes.append(ff.Mesh.load(tmp_path / "stock.stl").volume)
+        if machine == "linuxcnc":
+            ends = rs274.moves_of_program(tmp_path / "out.ngc")[0]
+            deepest.append(sorted({(round(x, 3), round(y, 3)) for x, y, z in ends[:, :3] if z < -3.9}))
+    word = "G83" if peck else "G81"
+    assert programs[0].count(f"G98 {word} ") == 3 and (" Q2 " in programs[0]) == bool(peck), programs[0]
+    assert "G81" not in programs[1] and "G83" not in programs[1]
+    assert volumes[0] == pytest.approx(volumes[1], rel=1e-9)
+    if deepest:
+        assert deepest[0] == deepest[1] == [(-9, 5), (0, -8), (9, 5)]
+
+
+def test_a_thread_is_a_helix(tmp_path):
+    path = job(tmp_path, JOB.format(operation='type = "thread"\nslice = 0\npitch = 1\ndiameter = 6', tool=FLAT.format(3.6),
+                                    stock=stock(40, 30, -4, 4)),
+               part_frep="difference(box(40, 30, 8), move(cylinder(2.5, 30), 7, 4, 0), move(cylinder(4, 30), -8, 0, 0))")
+    run("cam", path, "-o", tmp_path / "out.ngc")
+    program = (tmp_path / "out.ngc").read_text()
+    arcs = re.findall(r"^(?:N\d+ )?G3 .*$|^X.*I.*$", program, re.M)
+    assert len(arcs) >= 16, program
+    xs = [float(x) for line in arcs for x in re.findall(r"X(-?[\d.]+)", line)]
+    assert min(xs) == pytest.approx(7 - 1.2, abs=0.02) and max(xs) == pytest.approx(7 + 1.2, abs=0.02)
+    path = job(tmp_path, JOB.format(operation='type = "thread"\nslice = 0\npitch = 1\ndiameter = 12', tool=FLAT.format(3.6),
+                                    stock=stock(40, 30, -4, 4)), part_frep="difference(box(40, 30, 8), cylinder(2.5, 30))")
+    assert "no " in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
