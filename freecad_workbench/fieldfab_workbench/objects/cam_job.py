@@ -64,7 +64,7 @@ class Job:
         if setup.Material != NO_MATERIAL:
             self._add("material", setup.Material, setup)
         self._head("[input]", setup, "part")
-        self._add("zero", setup.Zero, setup)
+        self._add("zero", list(setup.ZeroPoint) if setup.Zero == "point" else setup.Zero, setup)
         self._head("[stock]", setup, "stock")
         if setup.StockFrom == "Margins":
             self._add("margin", setup.Margin.Value, setup)

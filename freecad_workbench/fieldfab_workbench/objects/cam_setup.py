@@ -7,7 +7,7 @@ from ..words import marked, tr
 from .document_object import WithSettings, create_object
 
 NO_MATERIAL = marked("any")
-ZEROS = marked(("model", "corner", "centre"))
+ZEROS = marked(("model", "corner", "centre", "point"))
 STOCKS = marked({"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"),
                  "Object": ("StockObject",)})
 
@@ -21,8 +21,13 @@ class CamSetup(WithSettings):
     def add_properties(self, obj):
         self.add(obj, "Link", "Part", "Part", "Solid to be machined")
         self.add_choice(obj, "Zero", "Part",
-                        "Zero of the program: that of the model, or the corner or centre of the part's top",
+                        "Zero of the program: that of the model, the corner or centre of the part's top, or a point",
                         ZEROS)
+        if "point" not in obj.getEnumerationsOfProperty("Zero"):  # of an earlier version
+            before, obj.Zero = obj.Zero, list(ZEROS)
+            obj.Zero = before
+        self.add(obj, "Vector", "ZeroPoint", "Part", "Zero of the program where that is a point, in the document's "
+                 "coordinates")
         self.add_choice(obj, "Machine", "Machine", "Machine that the program is written for", workflow.machines())
         if "Material" not in obj.PropertiesList:
             obj.Machine = "linuxcnc"
@@ -44,7 +49,7 @@ class CamSetup(WithSettings):
         self.add(obj, "Bool", "AdjustFeeds", "CAM",
                  "Adjust feeds to the material that each move removes: slower in corners, faster in air", False)
         self.settle(obj)
-        self._show_stock(obj)
+        self._show_what_applies(obj)
 
     def stages(self, obj):
         return [workflow.machine_stage(obj.Machine)]
@@ -63,8 +68,8 @@ class CamSetup(WithSettings):
                 self.settle(obj)
                 for operation in getattr(obj, "Operations", []):
                     operation.Proxy.settle(operation)
-        if name == "StockFrom":
-            self._show_stock(obj)
+        if name in ("StockFrom", "Zero"):
+            self._show_what_applies(obj)
         super().onChanged(obj, name)
 
     def _offer_materials(self, obj):
@@ -75,11 +80,13 @@ class CamSetup(WithSettings):
         self._settling = False
 
     @staticmethod
-    def _show_stock(obj):
+    def _show_what_applies(obj):
         for kind, names in STOCKS.items():
             for name in names:
                 if name in obj.PropertiesList:
                     obj.setEditorMode(name, 0 if obj.StockFrom == kind else 2)
+        if "ZeroPoint" in obj.PropertiesList:
+            obj.setEditorMode("ZeroPoint", 0 if obj.Zero == "point" else 2)
 
     def execute(self, obj):
         if getattr(obj.ViewObject, "Proxy", None):
@@ -125,6 +132,17 @@ def stock_box(setup):
     upper = FreeCAD.Vector(box.XMax + margin, box.YMax + margin, box.ZMax + setup.Top.Value)
     bottom = upper.z - setup.Thickness.Value if setup.Thickness.Value else box.ZMin
     return FreeCAD.Vector(box.XMin - margin, box.YMin - margin, bottom), upper
+
+
+def zero_of(setup):
+    """Returns the program's zero in document coordinates. Raises ValueError."""
+    if setup.Zero == "point":
+        return FreeCAD.Vector(setup.ZeroPoint)
+    if setup.Zero == "model":
+        return FreeCAD.Vector()
+    box = box_of(setup.Part)
+    x, y = (box.XMin, box.YMin) if setup.Zero == "corner" else (box.Center.x, box.Center.y)
+    return FreeCAD.Vector(x, y, box.ZMax)
 
 
 def create(document, part=None, label="CAM job"):

@@ -4,9 +4,11 @@ the plan."""
 from .. import kernel, units, work, workflow
 from ..objects import cam_job, cam_operation, cam_setup, machine_program
 from ..shim import QtCore, QtWidgets
+from ..views.part_view import PartView
 from ..words import PROPERTY, property_label, tr
 from .collapsible import Box
 from .edit_panel import EditPanel
+from .job_handles import handles_of, place_at
 from .operation_form import OperationForm
 from .choices import offer
 from .property_panel import MAKERS, PropertyPanel, candidates
@@ -18,6 +20,7 @@ class SetupPanel(EditPanel):
     def __init__(self, obj):
         super().__init__(obj, tr("CAM job"))
         self.task, self.operation_form, self.machine_rows = None, None, None
+        self.widgets, self.handles, self.view = {}, None, PartView(self.document)
         self.layout.setSpacing(3)
         self._plan_row()
         for make in (self._part, self._stock, self._tools, self._operations, self._machine):
@@ -25,6 +28,7 @@ class SetupPanel(EditPanel):
         self.layout.addStretch()
         self.timer = QtCore.QTimer(self.form)
         self.timer.timeout.connect(self._look)
+        self.form.destroyed.connect(self.remove_handles)
         self._refresh()
 
     def take_over(self):
@@ -40,16 +44,62 @@ class SetupPanel(EditPanel):
         self.part.setCurrentIndex(self.part.findData(self.obj.Part.Name) if self.obj.Part else -1)
         self.part.activated.connect(lambda index: self._set("Part", self.document.getObject(self.part.itemData(index))))
         form.addRow(tr("Part"), self.part)
-        form.addRow(tr("Zero"), self._choice("Zero"))
+        self.zero, pick = self._choice("Zero", write=self._choose_zero), QtWidgets.QPushButton(tr("Pick"))
+        row = QtWidgets.QHBoxLayout()
+        pick.setToolTip(tr("Click a corner, the middle of an edge or face, or a hole of the part in the 3D view"))
+        pick.setAutoDefault(False)
+        pick.clicked.connect(self.pick_zero)
+        row.addWidget(self.zero, 1)
+        row.addWidget(pick)
+        form.addRow(tr("Zero"), row)
         box.body.addLayout(form)
+        self.zero_rows = QtWidgets.QFormLayout()
+        box.body.addLayout(self.zero_rows)
+        box.button.toggled.connect(lambda on: self._make_handles())
         self.part_box = box
+        self._fill_zero()
         return box
+
+    def _fill_zero(self):
+        while self.zero_rows.rowCount():
+            self.zero_rows.removeRow(0)
+        if self.obj.Zero == "point":
+            self._add_row(self.zero_rows, "ZeroPoint")
+
+    def _choose_zero(self, name, kind):
+        if kind == "point" and self.obj.Part is not None:  # it begins where the zero was
+            self.obj.ZeroPoint = cam_setup.zero_of(self.obj)
+        self._set(name, kind)
+        self._fill_zero()
+
+    def set_zero(self, point):
+        """Sets the program's zero to a point of the document."""
+        self.obj.Zero, self.obj.ZeroPoint = "point", point
+        self.zero.setCurrentIndex(self.zero.findData("point"))
+        self._fill_zero()
+        self._refresh()
+
+    def pick_zero(self):
+        """Takes the next click in the 3D view that is near a place of the part as the zero."""
+        if self.obj.Part is None:
+            return self.say(tr("Choose a part first"))
+        self.view.tell_clicks(self._picked)
+        self.say(tr("Click a corner, the middle of an edge or face, or a hole of the part"), True)
+
+    def _picked(self, origin, direction):
+        place = place_at(self.obj.Part, origin, direction)
+        if place is None:
+            return self.say(tr("There is no corner, middle or hole of the part: click again"))
+        self.view.tell_clicks(None)
+        self.say("", True)
+        self.set_zero(place)
 
     def _stock(self):
         box = Box(tr("Stock"), opened=False)
         self.stock_rows = QtWidgets.QFormLayout()
         box.body.addLayout(self.stock_rows)
         self.stock_box = box
+        box.button.toggled.connect(lambda on: self._make_handles())
         self._fill_stock()
         return box
 
@@ -59,15 +109,29 @@ class SetupPanel(EditPanel):
         kinds = self._choice("StockFrom", lambda: QtCore.QTimer.singleShot(0, self._fill_stock))
         self.stock_rows.addRow(tr("From"), kinds)
         for name in cam_setup.STOCKS[self.obj.StockFrom]:
-            widget, write = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
-            widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
-            for number in [widget, *widget.findChildren(QtWidgets.QAbstractSpinBox)]:
-                for signal in ("valueChanged", "editingFinished"):  # FreeCAD's box emits only the latter
-                    if hasattr(number, signal):
-                        getattr(number, signal).connect(lambda *value, write=write: self._written(write))
-            if hasattr(widget, "activated"):
-                widget.activated.connect(lambda index, write=write: self._written(write))
-            self.stock_rows.addRow(property_label(name), widget)
+            self._add_row(self.stock_rows, name)
+
+    def _add_row(self, rows, name):
+        """Adds a row for a property, which is written at each change."""
+        widget, write = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
+        widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
+        for number in [widget, *widget.findChildren(QtWidgets.QAbstractSpinBox)]:
+            for signal in ("valueChanged", "editingFinished"):  # FreeCAD's box emits only the latter
+                if hasattr(number, signal):
+                    getattr(number, signal).connect(lambda *value, write=write: self._written(write))
+        if hasattr(widget, "activated"):
+            widget.activated.connect(lambda index, write=write: self._written(write))
+        rows.addRow(property_label(name), widget)
+        self.widgets[name] = widget
+
+    def set_length(self, name, value):
+        """Changes a length as if it was typed."""
+        self.widgets[name].setProperty("rawValue", value)
+        self._set(name, value)
+
+    def set_corner(self, name, axis, value):
+        """Changes a coordinate of a corner as if it was typed."""
+        self.widgets[name].findChildren(QtWidgets.QDoubleSpinBox)[axis].setValue(value)
 
     _write_quantity = PropertyPanel._write_quantity
 
@@ -187,11 +251,11 @@ class SetupPanel(EditPanel):
         self.outcome.setVisible(bool(text))
 
     # Actions of the widgets.
-    def _choice(self, name, then=lambda: None):
+    def _choice(self, name, then=lambda: None, write=None):
         box = QtWidgets.QComboBox()
         offer(box, self.obj.getEnumerationsOfProperty(name), getattr(self.obj, name))
         box.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
-        box.activated.connect(lambda index: (self._set(name, box.itemData(index)), then()))
+        box.activated.connect(lambda index: ((write or self._set)(name, box.itemData(index)), then()))
         return box
 
     def _set(self, name, value):
@@ -271,7 +335,29 @@ class SetupPanel(EditPanel):
         self.machine_rows.refresh()
         if self.operation_form is not None:
             self.operation_form.refresh()
+        self._make_handles()
         self._tell()
+
+    # Arrows in the 3D view.
+    def _make_handles(self):
+        """Makes the arrows anew, unless one of them is being dragged."""
+        if self.machine_rows is None:  # the boxes are still being made
+            return
+        if self.handles and self.handles.dragged():
+            self.handles.refresh()
+            return
+        self.remove_handles()
+        self.handles = handles_of(self)
+
+    def remove_handles(self, *_):
+        if self.handles:
+            self.handles.close()
+        self.handles = None
+
+    def close(self):
+        self.view.tell_clicks(None)
+        self.remove_handles()
+        super().close()
 
     # Planning.
     def program(self):

@@ -11,6 +11,7 @@ from .edit_panel import EditPanel
 from .frep_editor import FrepEditor
 from .gallery import Gallery
 from .measures import MeasureBox
+from .number_handles import NumberHandles
 from .parameter_rows import ParameterRow
 
 
@@ -30,6 +31,7 @@ class FrepPanel(EditPanel):
         self.layout.addLayout(self._resolution())
         self.rows, self.numbers = {}, {}  # {name: ParameterRow}, {name: parameter of the text}
         self.preview = Preview(obj, self._told, self.form)
+        self.handles = NumberHandles(self)
         self.text.checked.connect(self._checked)
         self.text.check()
 
@@ -151,4 +153,5 @@ class FrepPanel(EditPanel):
 
     def close(self):
         self.preview.close()
+        self.handles.close()
         super().close()

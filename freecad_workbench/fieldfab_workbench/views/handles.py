@@ -19,14 +19,15 @@ STEPS = 200  # at least so many steps along the diagonal
 
 
 class Handle(typing.NamedTuple):
-    """An arrow at `start() + read() * along`, mm, in the document's coordinates. `write(value)` is called while it is
-    dragged, with a rounded value."""
+    """An arrow at `start() + read() * rate * along`, mm, in the document's coordinates. `write(value)` is called while
+    it is dragged, with a rounded value. `rate`: mm for each unit of the value."""
 
     start: typing.Callable
     along: FreeCAD.Vector
     read: typing.Callable
     write: typing.Callable
     colour: tuple = COLOUR
+    rate: float = 1.0
 
 
 class Handles:
@@ -36,7 +37,7 @@ class Handles:
     def __init__(self, document, handles, diagonal):
         self._document, self._handles = document, handles
         self._scene = FreeCADGui.getDocument(document.Name).ActiveView.getSceneGraph()
-        self.size, self._step = SIZE * diagonal, 10 ** math.floor(math.log10(diagonal / STEPS))
+        self.size, self._finest = SIZE * diagonal, diagonal / STEPS
         self._root, self.arrows, self._sensors = coin.SoAnnotation(), [], []
         on_top = coin.SoPickStyle()
         on_top.style = coin.SoPickStyle.SHAPE_ON_TOP
@@ -66,8 +67,9 @@ class Handles:
     def _dragged(self, handle, arrow):
         if self._quiet or not is_there(self._document):
             return
-        value = arrow.translation.getValue()[0] * self.size
-        rounded = round(round(value / self._step) * self._step, 9)
+        value = arrow.translation.getValue()[0] * self.size / handle.rate
+        step = 10 ** math.floor(math.log10(self._finest / handle.rate))
+        rounded = round(round(value / step) * step, 9)
         if rounded != handle.read():
             handle.write(rounded)
             # Later: this dragger is still at work.
@@ -79,8 +81,12 @@ class Handles:
         self._quiet = True
         for handle, place, arrow in self.arrows:
             place.translation = tuple(handle.start())
-            arrow.translation = (handle.read() / self.size, 0, 0)
+            arrow.translation = (handle.read() * handle.rate / self.size, 0, 0)
         self._quiet = False
+
+    def dragged(self):
+        """Whether the pointer has hold of an arrow."""
+        return any(arrow.isActive.getValue() for *_, arrow in self.arrows)
 
     def close(self):
         for sensor in self._sensors:

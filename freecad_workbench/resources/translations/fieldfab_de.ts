@@ -40,8 +40,16 @@
         <translation>Nullpunkt</translation>
     </message>
     <message>
-        <source>Zero of the program: that of the model, or the corner or centre of the part's top</source>
-        <translation>Nullpunkt des Programms: der des Modells, oder die Ecke oder Mitte der Oberseite des Werkstücks</translation>
+        <source>Zero of the program: that of the model, the corner or centre of the part's top, or a point</source>
+        <translation>Nullpunkt des Programms: der des Modells, die Ecke oder Mitte der Oberseite des Teils oder ein Punkt</translation>
+    </message>
+    <message>
+        <source>Zero Point</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Zero of the program where that is a point, in the document's coordinates</source>
+        <translation>Nullpunkt des Programms, wenn er ein Punkt ist, in den Koordinaten des Dokuments</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1635,6 +1643,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Mitte</translation>
     </message>
     <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
         <source>Margins</source>
         <translation>Zugaben</translation>
     </message>
@@ -2059,8 +2071,16 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Werkstück</translation>
     </message>
     <message>
+        <source>Click a corner, the middle of an edge or face, or a hole of the part in the 3D view</source>
+        <translation>Klicken Sie in der 3D-Ansicht auf eine Ecke, die Mitte einer Kante oder Fläche oder eine Bohrung des Teils</translation>
+    </message>
+    <message>
         <source>Zero</source>
         <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Click a corner, the middle of an edge or face, or a hole of the part</source>
+        <translation>Klicken Sie auf eine Ecke, die Mitte einer Kante oder Fläche oder eine Bohrung des Teils</translation>
     </message>
     <message>
         <source>Stock</source>
@@ -2109,6 +2129,18 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>The part, and the program's zero on it</source>
         <translation>Das Werkstück und der Nullpunkt des Programms daran</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Choose a part first</source>
+        <translation>Wählen Sie zuerst ein Teil</translation>
+    </message>
+    <message>
+        <source>There is no corner, middle or hole of the part: click again</source>
+        <translation>Dort ist keine Ecke, Mitte oder Bohrung des Teils: klicken Sie noch einmal</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2357,6 +2389,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>no densities yet</source>
         <translation>noch keine Dichten</translation>
+    </message>
+    <message>
+        <source>{name} is {value}</source>
+        <translation>{name} ist {value}</translation>
+    </message>
+    <message>
+        <source>The number</source>
+        <translation>Die Zahl</translation>
     </message>
     <message>
         <source>active</source>
