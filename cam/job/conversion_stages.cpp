@@ -5,6 +5,7 @@
 
 #include "fieldfab/cam/plan/distance.h"
 #include "fieldfab/core/error.h"
+#include "plan/silhouette.h"
 #include "stages.h"
 
 namespace fieldfab::cam {
@@ -27,13 +28,13 @@ Setting cell_setting() {
 
 /// Contour of a slice. Squares are halved until no part is missed. If that fails, returns the
 /// outline for the requested cell and adds a note on what it lacks.
-Loops slice_of(const Solid& solid, const Rectangle& bounds, double cell, double z, Context& context) {
+Loops slice_of(const Field& solid, const Rectangle& bounds, double cell, double z, Context& context) {
   constexpr int halvings = 4;
   MissedParts missed;
-  Loops loops = contours(*solid.field, bounds, {cell, z}, missed, context.progress);
+  Loops loops = contours(solid, bounds, {cell, z}, missed, context.progress);
   MissedParts left = missed;
   for (int i = 1; i <= halvings && left.lost > 0; ++i) {
-    Loops finer = contours(*solid.field, bounds, {std::ldexp(cell, -i), z}, left, context.progress);
+    Loops finer = contours(solid, bounds, {std::ldexp(cell, -i), z}, left, context.progress);
     if (left.lost == 0) loops = std::move(finer);
   }
   if (left.lost == 0) missed = left;
@@ -62,14 +63,10 @@ Artifact outline_of_solid(const Artifact& in, const Values& values, Context& con
   Loops loops;
   if (solid.flat || is_set(values, "slice")) {
     const double z = is_set(values, "slice") ? values.number("slice") : 0;
-    loops = slice_of(solid, bounds, cell, z, context);
+    loops = slice_of(*solid.field, bounds.grown(cell), cell, z, context);
   } else {
-    // Contact of a thin needle from above: the part's shadow.
-    const auto surface = Surface::of(*solid.field, *solid.bounds, {cell, std::min(cell / 4, 0.02)}, context.progress);
-    note_doubtful(*surface, context);
-    const auto needle = std::make_shared<TipSurface>(surface, Profile(0, 0, 0, 1e-6));
-    loops = contours(*TipSurface::field(needle), bounds.grown(cell), {cell, 0, -(surface->floor() + 1e-3)},
-                     context.progress);
+    const FieldPtr seen = silhouette(solid.field, solid.bounds->lower.z(), solid.bounds->upper.z());
+    loops = slice_of(*seen, bounds.grown(cell), cell, 0, context);
   }
   if (loops.empty())
     throw Error(ErrorKind::bad_input, "outline",

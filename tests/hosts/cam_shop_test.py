@@ -20,6 +20,8 @@ model = "part.frep"
 [[operation]]
 {operation}
 """
+PLATE = ("difference(box(40, 30, 8), move(cylinder(1.5, 30), 9, 5, 0), move(cylinder(1.5, 30), -9, 5, 0), "
+         "move(cylinder(1.5, 30), 0, -8, 0))")
 V = 'shape = "v"\ndiameter = 8\nangle = 90\nflute = 10'
 FLAT = 'diameter = {}\nflute = 30'
 
@@ -56,32 +58,42 @@ def test_facing_without_anything_above_the_part(tmp_path):
 
 @pytest.mark.parametrize("beyond", [0.3, 1.2])
 def test_a_chamfer_is_as_wide_as_asked(tmp_path, beyond):
-    left, _ = cut(tmp_path, "box(40, 30, 10)", f'type = "chamfer"\nslice = 0\nwidth = 1\nbeyond = {beyond}', V, stock(40, 30, -5, 5))
+    left, _ = cut(tmp_path, "box(40, 30, 10)", f'type = "chamfer"\nwidth = 1\nbeyond = {beyond}', V, stock(40, 30, -5, 5))
     removed = 0.5 * 140 - 4 / 3  # a triangle along the edges, counted once in the corners
     assert 12000 - left.volume == pytest.approx(removed, rel=0.03)
 
 
 def test_a_chamfer_of_a_hole(tmp_path):
     left, _ = cut(tmp_path, "difference(box(40, 30, 6), cylinder(8, 30))",
-                  'type = "chamfer"\nslice = 0\nwidth = 1\nbeyond = 0.4', V, stock(40, 30, -3, 3))
+                  'type = "chamfer"\nwidth = 1\nbeyond = 0.4', V, stock(40, 30, -3, 3))
     # In a stock without the hole the tool cuts a groove of 2.8 x 1.4 mm around its axis, 7.6 mm from that of the hole.
     groove = 2 * math.pi * 7.6 * 1.4**2
     assert 7200 - left.volume == pytest.approx(0.5 * 140 - 4 / 3 + groove, rel=0.03)
 
 
+def test_outlines_of_solids_are_as_exact_as_slices(tmp_path):
+    """Without a slice the outline is the part's silhouette: arcs and lines, no stairs."""
+    moves = {}
+    for how in ("", "slice = 0\n"):
+        path = job(tmp_path, JOB.format(operation='type = "engrave"\n' + how, tool=FLAT.format(3),
+                                        stock=stock(40, 30, -4, 4)), part_frep=PLATE)
+        run("cam", path, "-o", tmp_path / "out.ngc")
+        at, kinds, _ = rs274.moves_of_program(tmp_path / "out.ngc")
+        cuts = at[at[:, 2] < 3.9]
+        moves[how] = (len(cuts), cuts[:, 0].min(), cuts[:, 0].max(), kinds.count("ARC_FEED"))
+    assert moves[""][0] <= moves["slice = 0\n"][0] + 4 and moves[""][3] >= 6
+    assert moves[""][1:3] == pytest.approx(moves["slice = 0\n"][1:3], abs=1e-3)
+
+
 def test_a_chamfer_wider_than_its_tool(tmp_path):
-    path = job(tmp_path, JOB.format(operation='type = "chamfer"\nslice = 0\nwidth = 4', tool=V, stock=stock(40, 30, -5, 5)),
+    path = job(tmp_path, JOB.format(operation='type = "chamfer"\nwidth = 4', tool=V, stock=stock(40, 30, -5, 5)),
                part_frep="box(40, 30, 10)")
     assert "the tool's radius is 4 mm" in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
 
 
 def test_engraving_follows_the_outline(tmp_path):
-    left, _ = cut(tmp_path, "box(40, 30, 10)", 'type = "engrave"\nslice = 0\ndepth = 1', V, stock(48, 38, -5, 5))
+    left, _ = cut(tmp_path, "box(40, 30, 10)", 'type = "engrave"\ndepth = 1', V, stock(48, 38, -5, 5))
     assert 48 * 38 * 10 - left.volume == pytest.approx(140, rel=0.05)  # a V of 1 mm along the outline
-
-
-PLATE = ("difference(box(40, 30, 8), move(cylinder(1.5, 30), 9, 5, 0), move(cylinder(1.5, 30), -9, 5, 0), "
-         "move(cylinder(1.5, 30), 0, -8, 0))")
 
 
 @pytest.mark.parametrize("machine", ["linuxcnc", "mach3"])
@@ -89,7 +101,7 @@ PLATE = ("difference(box(40, 30, 8), move(cylinder(1.5, 30), 9, 5, 0), move(cyli
 def test_drilling_cycles_drill_what_single_moves_drill(tmp_path, machine, peck):
     programs, volumes, deepest = [], [], []
     for cycles in ("true", "false"):
-        path = job(tmp_path, JOB.format(operation=f'type = "drill"\nslice = 0\n{peck}', tool=FLAT.format(3), stock=stock(40, 30, -4, 4))
+        path = job(tmp_path, JOB.format(operation=f'type = "drill"\n{peck}', tool=FLAT.format(3), stock=stock(40, 30, -4, 4))
                    .replace('"linuxcnc"', f'"{machine}"') + f"[setting]\ncycles = {cycles}\n", part_frep=PLATE)
         run("cam", path, "-o", tmp_path / "out.ngc")
         told = run("simulate", tmp_path / "out.ngc", "--setup", path, "-o", tmp_path / "stock.stl").stdout
@@ -108,7 +120,7 @@ def test_drilling_cycles_drill_what_single_moves_drill(tmp_path, machine, peck):
 
 
 def test_a_thread_is_a_helix(tmp_path):
-    path = job(tmp_path, JOB.format(operation='type = "thread"\nslice = 0\npitch = 1\ndiameter = 6', tool=FLAT.format(3.6),
+    path = job(tmp_path, JOB.format(operation='type = "thread"\npitch = 1\ndiameter = 6', tool=FLAT.format(3.6),
                                     stock=stock(40, 30, -4, 4)),
                part_frep="difference(box(40, 30, 8), move(cylinder(2.5, 30), 7, 4, 0), move(cylinder(4, 30), -8, 0, 0))")
     run("cam", path, "-o", tmp_path / "out.ngc")
@@ -117,6 +129,6 @@ def test_a_thread_is_a_helix(tmp_path):
     assert len(arcs) >= 16, program
     xs = [float(x) for line in arcs for x in re.findall(r"X(-?[\d.]+)", line)]
     assert min(xs) == pytest.approx(7 - 1.2, abs=0.02) and max(xs) == pytest.approx(7 + 1.2, abs=0.02)
-    path = job(tmp_path, JOB.format(operation='type = "thread"\nslice = 0\npitch = 1\ndiameter = 12', tool=FLAT.format(3.6),
+    path = job(tmp_path, JOB.format(operation='type = "thread"\npitch = 1\ndiameter = 12', tool=FLAT.format(3.6),
                                     stock=stock(40, 30, -4, 4)), part_frep="difference(box(40, 30, 8), cylinder(2.5, 30))")
     assert "no " in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr

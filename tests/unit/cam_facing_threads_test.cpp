@@ -63,7 +63,9 @@ TEST(Facing, CoversTheStockAndCutsNoWiderThanTheStepover) {
       for (const double y : {stock.lower.y(), stock.upper.y()}) edge = std::min(edge, Vec2(x, y).dot(v));
     double reached = edge;
     for (const double at : passes) {
-      if (passes.size() > 1) ASSERT_LE(at + radius - reached, settings.stepover + 1e-9);
+      if (passes.size() > 1) {
+        ASSERT_LE(at + radius - reached, settings.stepover + 1e-9);
+      }
       reached = at + radius;
     }
   }
