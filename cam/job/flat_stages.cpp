@@ -121,7 +121,8 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
   return cuts;
 }
 
-/// Holes of the part's outline up to a diameter, mm. Throws Error(bad_input) with the operation's name if there are none.
+/// Holes of the part's outline up to a diameter, mm. Throws Error(bad_input) with the operation's name if there are
+/// none.
 std::vector<Hole> holes_of(const Artifact& in, double most, const char* operation, Context& context) {
   const Outline& outline = std::get<Outline>(in);
   Loops loops = contours(*outline.distance, outline.bounds, {outline.cell}, context.progress);
@@ -137,7 +138,8 @@ Artifact drill_stage(const Artifact& in, const Values& values, Context& context)
   const double most = is_set(values, "largest") ? values.number("largest") : context.tool.diameter * 1.05;
   PlannedCuts cuts;
   cuts.drills = true;
-  cuts.paths = drill(holes_of(in, most, "drill", context), is_set(values, "peck") ? values.number("peck") : 0, depths_of(values, context.stock));
+  cuts.paths = drill(holes_of(in, most, "drill", context), is_set(values, "peck") ? values.number("peck") : 0,
+                     depths_of(values, context.stock));
   return cuts;
 }
 
@@ -194,14 +196,15 @@ double top_of_part(const Context& context) {
   return tight_bounds(*transform(context.part, into), context.stock, context.progress).upper.z();
 }
 
-/// The flank of a V passes through the outline `width` inside of it at the top, while its axis runs `beyond` mm outside.
+/// The flank of a V passes through the outline `width` inside of it at the top, while its axis runs `beyond` mm
+/// outside.
 Artifact chamfer_stage(const Artifact& in, const Values& values, Context& context) {
   if (context.tool.shape != ToolShape::v) throw Error(ErrorKind::bad_input, "chamfer", "needs a tool of shape v");
   const double width = values.number("width"), beyond = values.number("beyond"), wide = context.tool.diameter / 2;
   if (width + beyond > wide)
-    throw Error(ErrorKind::bad_input, values.place("width"),
-                fmt::format("width and beyond are {:.4g} mm together; the tool's radius is {:.4g} mm", width + beyond,
-                            wide));
+    throw Error(
+        ErrorKind::bad_input, values.place("width"),
+        fmt::format("width and beyond are {:.4g} mm together; the tool's radius is {:.4g} mm", width + beyond, wide));
   Depths depths;
   depths.top = is_set(values, "top") ? values.number("top") : top_of_part(context);
   depths.bottom = depths.top - (width + beyond) / std::tan(context.tool.angle / 2);

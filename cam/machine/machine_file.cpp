@@ -116,10 +116,9 @@ Machine read_machine(std::string_view toml, const std::string& file) {
   if (const auto dialect = table.text("dialect")) m.dialect = dialect_named(*dialect, table.place("dialect"));
   m.default_operation = table.text("default_operation").value_or("");
   if (const auto text = table.table("text")) {
-    text->only({"header",      "footer", "section", "tool_change", "spindle_on", "spindle_off",  "feed",
-                "rapid",       "line",   "arc_cw",  "arc_ccw",     "tilt",       "coolant_mist", "coolant_flood",
-                "coolant_off", "begin",  "end",     "setup",       "comment",    "retract",
-                "drill",       "peck_drill"});
+    text->only({"header", "footer", "section", "tool_change", "spindle_on",   "spindle_off",   "feed",        "rapid",
+                "line",   "arc_cw", "arc_ccw", "tilt",        "coolant_mist", "coolant_flood", "coolant_off", "begin",
+                "end",    "setup",  "comment", "retract",     "drill",        "peck_drill"});
     for (const std::string& key : text->keys()) m.text[key] = *text->text(key);
   }
   if (const auto settings = table.table("setting"))

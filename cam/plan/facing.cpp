@@ -8,7 +8,8 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr double beyond = 0.5;  ///< way of the tool's edge beyond the stock, at the ends of a pass and at the last one, mm
+constexpr double beyond =
+    0.5;  ///< way of the tool's edge beyond the stock, at the ends of a pass and at the last one, mm
 
 /// A level pass in the direction of the axes u and v.
 struct Pass {

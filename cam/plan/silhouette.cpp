@@ -9,10 +9,10 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr double share = 0.05;   ///< of the least value: its accuracy
+constexpr double share = 0.05;    ///< of the least value: its accuracy
 constexpr int most_pieces = 400;  ///< of a line, until it is given up
 constexpr float smallest = std::numeric_limits<float>::min();
-constexpr int box_pieces = 8;     ///< of a box, for the interval over it
+constexpr int box_pieces = 8;  ///< of a box, for the interval over it
 
 /// A piece of a vertical line, with a lower bound of the values on it.
 struct Piece {

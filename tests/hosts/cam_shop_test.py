@@ -58,7 +58,8 @@ def test_facing_without_anything_above_the_part(tmp_path):
 
 @pytest.mark.parametrize("beyond", [0.3, 1.2])
 def test_a_chamfer_is_as_wide_as_asked(tmp_path, beyond):
-    left, _ = cut(tmp_path, "box(40, 30, 10)", f'type = "chamfer"\nwidth = 1\nbeyond = {beyond}', V, stock(40, 30, -5, 5))
+    left, _ = cut(tmp_path, "box(40, 30, 10)", f'type = "chamfer"\nwidth = 1\nbeyond = {beyond}', V,
+                  stock(40, 30, -5, 5))
     removed = 0.5 * 140 - 4 / 3  # a triangle along the edges, counted once in the corners
     assert 12000 - left.volume == pytest.approx(removed, rel=0.03)
 
@@ -101,8 +102,9 @@ def test_engraving_follows_the_outline(tmp_path):
 def test_drilling_cycles_drill_what_single_moves_drill(tmp_path, machine, peck):
     programs, volumes, deepest = [], [], []
     for cycles in ("true", "false"):
-        path = job(tmp_path, JOB.format(operation=f'type = "drill"\n{peck}', tool=FLAT.format(3), stock=stock(40, 30, -4, 4))
-                   .replace('"linuxcnc"', f'"{machine}"') + f"[setting]\ncycles = {cycles}\n", part_frep=PLATE)
+        text = JOB.format(operation=f'type = "drill"\n{peck}', tool=FLAT.format(3), stock=stock(40, 30, -4, 4))
+        path = job(tmp_path, text.replace('"linuxcnc"', f'"{machine}"') + f"[setting]\ncycles = {cycles}\n",
+                   part_frep=PLATE)
         run("cam", path, "-o", tmp_path / "out.ngc")
         told = run("simulate", tmp_path / "out.ngc", "--setup", path, "-o", tmp_path / "stock.stl").stdout
         assert "nothing is wrong" in told
@@ -122,7 +124,8 @@ def test_drilling_cycles_drill_what_single_moves_drill(tmp_path, machine, peck):
 def test_a_thread_is_a_helix(tmp_path):
     path = job(tmp_path, JOB.format(operation='type = "thread"\npitch = 1\ndiameter = 6', tool=FLAT.format(3.6),
                                     stock=stock(40, 30, -4, 4)),
-               part_frep="difference(box(40, 30, 8), move(cylinder(2.5, 30), 7, 4, 0), move(cylinder(4, 30), -8, 0, 0))")
+               part_frep="difference(box(40, 30, 8), move(cylinder(2.5, 30), 7, 4, 0), "
+                         "move(cylinder(4, 30), -8, 0, 0))")
     run("cam", path, "-o", tmp_path / "out.ngc")
     program = (tmp_path / "out.ngc").read_text()
     arcs = re.findall(r"^(?:N\d+ )?G3 .*$|^X.*I.*$", program, re.M)
@@ -130,5 +133,6 @@ def test_a_thread_is_a_helix(tmp_path):
     xs = [float(x) for line in arcs for x in re.findall(r"X(-?[\d.]+)", line)]
     assert min(xs) == pytest.approx(7 - 1.2, abs=0.02) and max(xs) == pytest.approx(7 + 1.2, abs=0.02)
     path = job(tmp_path, JOB.format(operation='type = "thread"\npitch = 1\ndiameter = 12', tool=FLAT.format(3.6),
-                                    stock=stock(40, 30, -4, 4)), part_frep="difference(box(40, 30, 8), cylinder(2.5, 30))")
+                                    stock=stock(40, 30, -4, 4)),
+               part_frep="difference(box(40, 30, 8), cylinder(2.5, 30))")
     assert "no " in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr

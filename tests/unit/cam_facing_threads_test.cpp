@@ -137,8 +137,8 @@ TEST(Threads, AreHelicesOfTheirPitchAndHand) {
       EXPECT_GE(highest, 0);
       const Turn &a = wall.front(), &b = wall.back();
       const double rise = (b.z - a.z) / (b.angle - a.angle) * 2 * pi;
-      EXPECT_NEAR(rise, right ? 0.8 : -0.8, 1e-6);           // a right-hand screw goes up anticlockwise
-      EXPECT_EQ(b.angle > a.angle, climb);                   // inside a hole, climbing is anticlockwise
+      EXPECT_NEAR(rise, right ? 0.8 : -0.8, 1e-6);  // a right-hand screw goes up anticlockwise
+      EXPECT_EQ(b.angle > a.angle, climb);          // inside a hole, climbing is anticlockwise
       EXPECT_LT((paths[0].points.front().at.head<2>() - hole.centre).norm(), 1e-9);
       EXPECT_LT((paths[0].points.back().at.head<2>() - hole.centre).norm(), 1e-9);
       EXPECT_GE(paths[0].points.front().at.z(), 0);

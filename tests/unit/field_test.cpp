@@ -107,8 +107,8 @@ TEST(Bounds, CanBeTight) {
   const double sine = std::sin(std::numbers::pi / 9), cosine = std::cos(std::numbers::pi / 9);
   const double y = 15 * cosine + 5 * sine, z = 15 * sine + 5 * cosine;
   expect_tight_bounds(solid("rotate_x(box(40, 30, 10), 20)"), {{-20, -y, -z}, {20, y, z}}, 1e-4);
-  expect_tight_bounds(solid("box(40, 30, 10) | move(cylinder(0.01, 3), 11, 2, 6)"),
-                      {{-20, -15, -5}, {20, 15, 7.5}}, 1e-5);  // a needle
+  expect_tight_bounds(solid("box(40, 30, 10) | move(cylinder(0.01, 3), 11, 2, 6)"), {{-20, -15, -5}, {20, 15, 7.5}},
+                      1e-5);  // a needle
   const FieldPtr tangle = frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm")));
   expect_tight_bounds(tangle, {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)}, 8e-3);  // wide intervals
   const Box flat = tight_bounds(*solid("circle(3)"), {{-4, -4, 0}, {4, 4, 0}});

@@ -53,8 +53,8 @@ TEST(ReadInCopy, HandsOverWhatWasRead) {
 }
 
 TEST(ReadInCopy, ReadsHeadersAlone) {
-  const auto [samples, densities] =
-      read_in_copy("scan.abc", "Library", [](const Room&) { return samples_of(3, 4, 5); }, Progress::none());
+  const auto [samples, densities] = read_in_copy(
+      "scan.abc", "Library", [](const Room&) { return samples_of(3, 4, 5); }, Progress::none());
   EXPECT_EQ(samples.lattice.count(), 60U);
   EXPECT_EQ(densities, nullptr);
 }
@@ -94,8 +94,8 @@ TEST(ReadInCopy, ErrorsComeAcross) {
   EXPECT_EQ(strange.kind(), ErrorKind::bad_input);
   const Error far_too_long = error_of([](const Room&) -> Samples { refuse("a", std::string(100'000, 'x')); });
   EXPECT_EQ(std::string(far_too_long.what()).substr(0, 5), "a: xx");
-  EXPECT_THROW(read_in_copy("scan.abc", "Library", [](const Room&) -> Samples { throw std::bad_alloc(); },
-                            Progress::none()),
+  EXPECT_THROW(read_in_copy(
+                   "scan.abc", "Library", [](const Room&) -> Samples { throw std::bad_alloc(); }, Progress::none()),
                std::bad_alloc);
   EXPECT_EQ(error_of([](const Room& room) {
               room(std::size_t{1} << 50);

@@ -150,9 +150,9 @@ constexpr double finest = 0x1p-23;    // of a box's size: the distance at which 
 constexpr int most_suspects = 4'000;  // for each face
 
 /// Finds how far the solid reaches in `within` along sign * axis: no less than it does, and as little more as intervals
-/// show. The suspect that reaches farthest is examined next. Its outer half is cut off if it is empty, and its inner half
-/// if the outer one holds some of the solid; otherwise it is halved along the side along
-/// which the values change most.
+/// show. The suspect that reaches farthest is examined next. Its outer half is cut off if it is empty, and its inner
+/// half if the outer one holds some of the solid; otherwise it is halved along the side along which the values change
+/// most.
 double nearest_reach(const FieldPtr& field, const Box& within, int axis, double sign, Progress& progress) {
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
   const double near_enough = finest * within.size().maxCoeff();
@@ -183,8 +183,8 @@ double nearest_reach(const FieldPtr& field, const Box& within, int axis, double 
     if (size.maxCoeff() <= near_enough) return next.reach;  // nothing shows that it is empty
     // Sides along which the values change less may be longer: along an edge, the box stays as long as that.
     const Vec3 slope = field->gradient(next.box.centre()).cwiseAbs();
-    const Vec3 weight = slope.allFinite() ? Vec3(slope / std::max(slope.maxCoeff(), 1e-30) + Vec3::Constant(0.05))
-                                          : Vec3(Vec3::Ones());
+    const Vec3 weight =
+        slope.allFinite() ? Vec3(slope / std::max(slope.maxCoeff(), 1e-30) + Vec3::Constant(0.05)) : Vec3(Vec3::Ones());
     int longest = 0;
     size.cwiseProduct(weight).maxCoeff(&longest);
     for (const bool upper : {false, true}) {
@@ -203,7 +203,8 @@ Box tight_bounds(const Field& field, const Box& bounds, Progress& progress) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!(box.size()[axis] > 0)) continue;
     const FieldPtr here = field.restricted(box, Purpose::occupancy).field;
-    const double upper = nearest_reach(here, box, axis, 1, progress), lower = -nearest_reach(here, box, axis, -1, progress);
+    const double upper = nearest_reach(here, box, axis, 1, progress),
+                 lower = -nearest_reach(here, box, axis, -1, progress);
     if (lower < upper) box.lower[axis] = lower, box.upper[axis] = upper;
   }
   return box;

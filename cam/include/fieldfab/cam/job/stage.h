@@ -27,8 +27,8 @@ struct PlannedCuts {
   bool inside_first = true, may_reverse = false;
   std::function<bool(const Vec3&, const Vec3&)> may_stay_down = nullptr;
   bool drills = false;  ///< whether the paths drill holes
-  double width = 0;  ///< width of cut that passes are planned for, mm; 0: the tool's
-  double leans = 0;  ///< greatest inclination of the tool to the plane's z, radians
+  double width = 0;     ///< width of cut that passes are planned for, mm; 0: the tool's
+  double leans = 0;     ///< greatest inclination of the tool to the plane's z, radians
   /// tip surface of a finishing operation, so that later planes omit the area it covers
   std::shared_ptr<const TipSurface> finished = nullptr;
 };

@@ -108,8 +108,8 @@ struct ThreadSettings {
   int passes = 1;          ///< number of passes to the full depth of the thread
 };
 /// Mills internal threads into holes with a cutter of one tooth, whose tip has the depths' z: helical ways from the top
-/// of the cut to its bottom, each pass deeper into the wall. Paths are ordered. Throws Error(bad_input) if the tool does
-/// not fit into a hole, or the hole is wider than the thread.
+/// of the cut to its bottom, each pass deeper into the wall. Paths are ordered. Throws Error(bad_input) if the tool
+/// does not fit into a hole, or the hole is wider than the thread.
 std::vector<Path> mill_threads(const std::vector<Hole>& where, const ThreadSettings& thread, const CutSettings& cut);
 /// Height of an internal ISO metric thread (ISO 68-1: 5/8 of the fundamental triangle), mm.
 double thread_depth(double pitch);
@@ -120,8 +120,8 @@ struct FaceSettings {
   double angle = 0;       ///< angle of the passes to x, radians
   bool both_ways = true;  ///< whether alternate passes run backwards
 };
-/// Level passes over the whole stock, at each of the depths' passes. The tool leaves the stock at the ends of each pass.
-/// Paths are ordered.
+/// Level passes over the whole stock, at each of the depths' passes. The tool leaves the stock at the ends of each
+/// pass. Paths are ordered.
 std::vector<Path> face(const Rectangle& stock, const FaceSettings& settings, const CutSettings& cut);
 
 /// Settings for roughing.
