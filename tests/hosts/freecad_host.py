@@ -46,8 +46,8 @@ def environment(home, **more):
 def screen():
     """Starts an X server; yields its DISPLAY."""
     read, write = os.pipe()
-    # An X server resets itself whenever its last client leaves, and turns away who comes meanwhile: xdotool, which looks
-    # for a window from time to time, would now and then end FreeCAD at its start.
+    # An X server resets itself whenever its last client leaves, and turns away who comes meanwhile: xdotool, which
+    # looks for a window from time to time, would now and then end FreeCAD at its start.
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp",
                                "-noreset"], pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)
