@@ -321,7 +321,8 @@ class JobReader {
     const auto type = table.text("type");
     if (!type) throw refuse(table, "", "an [[operation]] needs a type");
     PlannedOperation op;
-    const Stage& last = operation(*type, table.place("type"));
+    const std::string place = table.place("type");  // by a name: GCC 14 warns of a reference into a temporary
+    const Stage& last = operation(*type, place);
     op.name = table.text("name").value_or(fmt::format("{} {}", index, *type));
     op.tool = tool_for(table);
     if (const auto model = table.text("model")) op.own_input = read_own_model(table, *model);

@@ -1,11 +1,16 @@
 #include "mesh_oracle.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_MAJOR < 6
+#include <CGAL/AABB_traits.h>
+#else
+#include <CGAL/AABB_traits_3.h>
+#endif
 
 #include <cmath>
 #include <optional>
@@ -14,7 +19,12 @@ namespace fieldfab {
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Surface>>>;
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<Surface>;
+#if CGAL_VERSION_MAJOR < 6
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+#else
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
+#endif
 }  // namespace
 
 struct MeshOracle::Cgal {

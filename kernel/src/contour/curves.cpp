@@ -286,7 +286,7 @@ class CurveTracer {
           return bend.place[axis] >= inner.lower[axis] && bend.place[axis] <= inner.upper[axis];
         };
         const bool merged = level_of(curve) > lattice_.voxel_level();
-        Vec3 place = within(u) && within(v) || merged ? bend.place : middle_of(curve);
+        Vec3 place = (within(u) && within(v)) || merged ? bend.place : middle_of(curve);
         for (const int axis : {u, v}) place[axis] = std::clamp(place[axis], inner.lower[axis], inner.upper[axis]);
         out_.bends.push_back(to_floats(place));
       }

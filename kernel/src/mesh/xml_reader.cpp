@@ -3,6 +3,7 @@
 #include <expat.h>
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <exception>
 #include <functional>
 
@@ -13,8 +14,17 @@ namespace fieldfab {
 namespace {
 
 constexpr XML_Char separator = ' ';  // never part of a URI
-constexpr XML_Index longest_tag = 1 << 20;
+constexpr std::int64_t longest_tag = 1 << 20;
 constexpr int most_within = 100;
+
+// expat 2.9, an update of Debian 13, deprecates the functions without "64"; earlier versions have no others.
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+std::int64_t byte_of(XML_Parser parser) { return XML_GetCurrentByteIndex64(parser); }
+std::uint64_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber64(parser); }
+#else
+std::int64_t byte_of(XML_Parser parser) { return XML_GetCurrentByteIndex(parser); }
+std::uint64_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber(parser); }
+#endif
 
 /// A parser that stores exceptions of its handler, since nothing may be thrown through expat.
 class Parser {
@@ -45,17 +55,15 @@ class Parser {
         XML_Parse(parser_.get(), bytes.data(), static_cast<int>(bytes.size()), last ? 1 : 0) == XML_STATUS_OK;
     if (thrown_) std::rethrow_exception(thrown_);
     if (!fine) fail(XML_ErrorString(XML_GetErrorCode(parser_.get())));
-    given_ += static_cast<XML_Index>(bytes.size());
-    if (given_ - XML_GetCurrentByteIndex(parser_.get()) > longest_tag + static_cast<XML_Index>(bytes.size()))
+    given_ += static_cast<std::int64_t>(bytes.size());
+    if (given_ - byte_of(parser_.get()) > longest_tag + static_cast<std::int64_t>(bytes.size()))
       fail("has a tag or a comment longer than 1 MiB");
   }
 
  private:
   static Parser& of(void* self) { return *static_cast<Parser*>(self); }
 
-  [[nodiscard]] std::string here() const {
-    return fmt::format("{}:{}", place_, XML_GetCurrentLineNumber(parser_.get()));
-  }
+  [[nodiscard]] std::string here() const { return fmt::format("{}:{}", place_, line_of(parser_.get())); }
   [[noreturn]] void fail(const std::string& how) const { throw Error(ErrorKind::bad_input, here(), how); }
 
   template <class Act>
@@ -93,7 +101,7 @@ class Parser {
   XmlHandler& handler_;
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
   std::exception_ptr thrown_;
-  XML_Index given_ = 0;
+  std::int64_t given_ = 0;
   int within_ = 0;
 };
 

@@ -93,8 +93,8 @@ def test_a_fillet_around_a_cylinder_is_a_torus(document):
 def test_crossing_cylinders_meet_in_space_curves(document):
     shape = shaped(document, "union(cylinder(r = 4, h = 20), rotate_x(cylinder(r = 3, h = 20), 90))")
     assert kinds(shape) == {"Plane": 4, "Cylinder": 3}
-    heights = np.linspace(-PI / 2, PI / 2, 20001)
-    common = np.trapz(4 * 3 * np.cos(heights) * np.sqrt(16 - 9 * np.sin(heights) ** 2) * 3 * np.cos(heights), heights)
+    angles = PI * ((np.arange(20000) + 0.5) / 20000 - 0.5)  # NumPy's trapz() has no name that all versions know
+    common = PI * np.mean(4 * 3 * np.cos(angles) * np.sqrt(16 - 9 * np.sin(angles) ** 2) * 3 * np.cos(angles))
     assert shape.Volume == pytest.approx(20 * PI * 16 + 20 * PI * 9 - common, rel=1e-5)
 
 
