@@ -93,11 +93,12 @@ class Server:
 
     async def part_of_page(self, request):
         path = PAGE / request.match_info["name"]
-        if path.name not in {each.name for each in PAGE.iterdir() if each.is_file()}:
+        if path.name not in {each.name for each in PAGE.iterdir() if each.is_file() and each.suffix != ".gz"}:
             raise web.HTTPNotFound
         headers = {"Content-Security-Policy": SANDBOX_POLICY} if path.name == "sandbox.html" else {}
         return web.FileResponse(path,
-                                headers={**headers, "Cache-Control": "no-cache", "X-Content-Type-Options": "nosniff"})
+                                headers={**headers, "Cache-Control": "no-cache", "Vary": "Accept-Encoding",
+                                         "X-Content-Type-Options": "nosniff"})
 
     async def description(self, request):
         return web.json_response(openapi.description())
