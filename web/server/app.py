@@ -119,7 +119,7 @@ class Server:
         return web.json_response({"version": version}, headers={"ETag": f'"{version}"'})
 
     async def remove_document(self, request):
-        self.documents.remove(request.match_info["name"])
+        self.documents.remove(request.match_info["name"], request.headers.get("If-Match", "*").strip('"'))
         return web.json_response({})
 
     async def upload_scan(self, request):

@@ -99,8 +99,13 @@ class Documents:
         finally:
             os.close(folder)
 
-    def remove(self, name):
-        try:
-            os.remove(self._path(name))
-        except FileNotFoundError:
-            raise Refused(404, "missing", f"there is no document '{name}'") from None
+    def remove(self, name, expected="*"):
+        """Removes the document if its version is the expected one ("*": any version)."""
+        path = self._path(name)
+        with self._alone():
+            if expected != "*" and self.version(name) not in (expected, None):
+                raise Refused(409, "changed", f"'{name}' was changed by someone else meanwhile")
+            try:
+                os.remove(path)
+            except FileNotFoundError:
+                raise Refused(404, "missing", f"there is no document '{name}'") from None
