@@ -70,6 +70,8 @@ class Scans:
                 if converted:
                     made = os.path.join(waiting, "made.nii")
                     note = await self._convert(given, made)
+                if request.transport is None or request.transport.is_closing():
+                    raise Refused(400, "gone", "the upload was cancelled")
                 await asyncio.to_thread(self._publish, made if converted else given, path)
             except TimeoutError:
                 raise Refused(408, "time", f"the upload took longer than {LIMITS.upload_seconds:g} s") from None
