@@ -187,7 +187,7 @@ class Server:
     async def start_file(self, request):
         wanted = await self._checked("file", request)
         if wanted["extension"] not in files.written_formats():
-            raise wrong(f"'{wanted['extension'][:20]}' is no format of files; "
+            raise wrong(f"'{wanted['extension'][:20]}' is not a format of files; "
                         f"these are: {' '.join(sorted(files.written_formats()))}")
         return web.json_response(self.jobs.start(wanted, "model" + wanted["extension"]).told(), status=202)
 

@@ -31,8 +31,8 @@ class Scans:
     def path(self, name):
         """Returns a scan's path. Raises Refused for an invalid name."""
         if not NAME.fullmatch(name):
-            raise Refused(400, "name", f"'{name[:120]}' is no name of a scan: "
-                          f"letters, digits, spaces and . + - _, and {ENDINGS} at the end")
+            raise Refused(400, "name", f"'{name[:120]}' cannot be the name of a scan: it has letters, digits, spaces "
+                          f"and . + - _, begins with a letter or a digit, and ends with {ENDINGS}")
         return os.path.join(self._folder, name)
 
     def existing(self, name):
