@@ -145,8 +145,8 @@ def page(browser, server):
     errors = [entry["message"] for entry in browser.get_log("browser")
               if entry["level"] == "SEVERE" and "favicon" not in entry["message"]]
     # "inline style": from Chromium, when typing replaces coloured text in an editable element; the policy blocks it.
-    known = ("ERR_CONNECTION_REFUSED", "400 (Bad Request)", "413", "422", "409", "WebSocket connection", "Failed to fetch",
-             "Applying inline style")
+    known = ("ERR_CONNECTION_REFUSED", "400 (Bad Request)", "413", "422", "409", "WebSocket connection",
+             "Failed to fetch", "Applying inline style")
     assert [each for each in errors if not any(word in each for word in known)] == []
 
 

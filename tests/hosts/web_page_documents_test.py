@@ -338,8 +338,9 @@ def test_share_copies_a_link_and_tells_where_it_leads(page, folder):
     page.settled()
     page.browser.execute_cdp_cmd("Browser.grantPermissions", {"permissions": ["clipboardReadWrite"]})
     page.find("#share").click()
-    page.until(lambda: "A link that holds this model" in page.text("#notice") + page.text("#question-words"), "the link")
-    assert "It names this machine (127.0.0.1:" in page.text("#notice") + page.text("#question-words")
+    told = lambda: page.text("#notice") + page.text("#question-words")  # noqa: E731
+    page.until(lambda: "A link that holds this model" in told(), "the link")
+    assert "It names this machine (127.0.0.1:" in told()
     link = (page.find("#question-text").get_attribute("value") if page.find("#question").is_displayed()
             else page.browser.execute_async_script("navigator.clipboard.readText().then(arguments[0])"))
     (folder / "given.frep").unlink()
@@ -437,3 +438,28 @@ def test_each_example_opens_without_a_mistake(page, folder):
         page.settled()
         assert page.text("#message") == "" == page.text("#sheet-message"), name
         assert not page.browser.find_elements(By.CSS_SELECTOR, ".node.wrong"), name
+
+
+def test_late_results_of_a_sheet_do_not_reach_the_next_document(page, folder):
+    """The code of nodes may take a second; by then another document may be open."""
+    slow = "const end = Date.now() + 700; while (Date.now() < end); return 'circle(5)';"
+    (folder / "late.json").write_text(sheet(("Slow", 0, 0, slow, [])))
+    (folder / "next.frep").write_text("circle(8)\n")
+    page.open("next.frep")
+    page.settled()
+    page.find("#open").click()
+    page.until(lambda: {"late.json", "next.frep"} <= set(cards(page)), "the gallery")
+    page.script("""
+      const open = (name) => document.querySelector(`#documents .card[data-name='${name}']`).click();
+      open('late.json');
+      const seen = setInterval(() => {
+        if (document.getElementById('name').textContent !== 'late.json') return;
+        clearInterval(seen);
+        open('next.frep');
+      }, 1);""")
+    page.until(lambda: page.script("return document.getElementById('name').textContent") == "next.frep"
+               and page.text("#editor .cm-content").startswith("circle(8)"), "the next document")
+    time.sleep(2)
+    page.settled()
+    assert abs(page.coloured() / (math.pi * 64) - 1) < 0.02
+    assert (folder / "next.frep").read_text() == "circle(8)\n"

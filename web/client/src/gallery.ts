@@ -123,8 +123,8 @@ export class Gallery {
 
   /** Adds a button with the actions on an entry. */
   private withActions(entry: HTMLElement, name: string, actions: Record<string, () => Promise<void>>): HTMLElement {
-    const more = element("button", { className: "more", ariaLabel: `Actions on ${name}`, title: "Rename, copy, delete" },
-      "⋯");
+    const more = element("button", { className: "more", ariaLabel: `Actions on ${name}`,
+      title: Object.keys(actions).join(", ") }, "⋯");
     menu(more, () => Object.entries(actions).map(([words, act]) => ({ words, act: () => void this.run(act) })));
     const made = element("div", { className: "entry" }, entry, more);
     made.dataset.name = name;
@@ -247,6 +247,7 @@ export class Gallery {
   private async uploadScan(): Promise<void> {
     const input = by<HTMLInputElement>("scan-file"), button = by<HTMLButtonElement>("new-scan");
     const files = [...input.files ?? []];
+    input.value = ""; // so that the same files can be chosen again
     if (!files.length) return;
     const ended = new AbortController();
     const told = (words: string): void => {
@@ -267,10 +268,9 @@ export class Gallery {
       await this.useScan(name, note);
     } catch (error) {
       this.tell("");
-      if (!ended.signal.aborted) await message(said(error));
+      if (!ended.signal.aborted) void message(said(error));
       else await this.list();
     } finally {
-      input.value = "";
       button.disabled = false;
     }
   }

@@ -87,8 +87,10 @@ text.onChange = (now) => {
   keepHistory(store.name, () => text.history());
   show(now);
 };
-sheet.onText = show;
+// Results of a sheet's nodes may come when another document is open already.
+sheet.onText = (now) => { if (kind === "sheet") show(now); };
 sheet.onChange = (document) => {
+  if (kind !== "sheet") return;
   store.change(document);
   keepHistory(store.name, () => sheet.history());
 };
