@@ -142,6 +142,17 @@ def test_a_pick_is_where_it_is_seen(server, perspective):
         assert math.dist(seen, at) < 1e-6
 
 
+@pytest.mark.parametrize("perspective", [0.0, 0.6, 1.5])
+def test_a_picture_that_fits_shows_the_whole_model(server, perspective):
+    """No part of it touches an edge of the picture; it fills most of one direction."""
+    status, _, data = server.ask("POST", "/api/picture", {"text": "box(20, 14, 60)", "perspective": perspective,
+                                                          "alpha": 0.0, "beta": 0.0, "width": 120, "height": 120})
+    assert status == 200
+    seen = pixels(data)[..., 3] > 0
+    assert not (seen[0].any() or seen[-1].any() or seen[:, 0].any() or seen[:, -1].any())
+    assert seen.any(axis=0).sum() > 100
+
+
 # Documents
 
 

@@ -183,7 +183,7 @@ function display(name: string, content: string, kept: History | null = null): vo
 async function mayLeave(): Promise<boolean> {
   await store.flush();
   return !store.atRisk || await question(
-    `The changes of “${store.name}” are not saved, and would be lost. Leave it?`, "Stay", "Leave") === 1;
+    `The changes of “${store.name}” are not saved, and would be lost. Leave it?`, "Leave", "Stay") === 0;
 }
 
 async function open(name: string): Promise<void> {

@@ -31,14 +31,14 @@ function shown<T>(words: string, answers: string[], start: string | null,
     text.onkeydown = (event) => { if (event.key === "Enter") { event.preventDefault(); buttons[0].click(); } };
     dialog.onclose = () => resolve(taken(chosen, text.value));
     dialog.showModal();
-    if (start === null) buttons[0].focus();
+    if (start === null) buttons[buttons.length - 1].focus(); // the answer that loses nothing
     else text.select();
   }));
   before = asked;
   return asked;
 }
 
-/** Asks a question. Returns the index of the answer; Escape is the last one. */
+/** Asks a question. Returns the index of the answer. Escape is the last one, which must lose nothing. */
 export function question(words: string, ...answers: string[]): Promise<number> {
   return shown(words, answers, null, (answer) => answer);
 }
