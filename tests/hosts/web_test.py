@@ -382,8 +382,8 @@ def test_jobs_are_cancelled_and_refused(server):
     refused((status, json.loads(data)), 409, "no file")
     assert server.ask("DELETE", f"/api/jobs/{job['job']}")[0] == 200
     assert finished(server, job)["state"] == "cancelled"
-    refused(server.post("/api/files", {**SPHERE, "extension": ".exe"}), 400, "no format")
-    refused(server.post("/api/files", {**SPHERE, "extension": "/../../x.stl"}), 400, "no format")
+    refused(server.post("/api/files", {**SPHERE, "extension": ".exe"}), 400, "not a format")
+    refused(server.post("/api/files", {**SPHERE, "extension": "/../../x.stl"}), 400, "not a format")
     status, _, _ = server.ask("GET", "/api/jobs/nothing")
     assert status == 404
 
@@ -539,7 +539,7 @@ def drawn_volume(stills, data):
     ({"stock": {"file": "/etc/passwd"}}, "'file' is not a setting"),
     ({"input": {"model": "x"}}, "must be an object of"),
     ({"tools": [{**TOOL, "name": 'x"\nlibrary = "y'}]}, "short text"),
-    ({"operations": [{'type"]\n': "x"}]}, "no setting"),
+    ({"operations": [{'type"]\n': "x"}]}, "not a setting"),
     ({"operations": [{"type": "rough", "tool": 1, "feed": float("nan")}]}, "finite"),
     ({"tools": [TOOL] * 51}, "at most 50"),
 ])  # fmt: skip
