@@ -431,10 +431,13 @@ def test_each_example_opens_without_a_mistake(page, folder):
     names = [each.get_attribute("data-name") for each in page.browser.find_elements(By.CSS_SELECTOR, open_examples)]
     assert len(names) > 5
     for name in names:
-        page.open()
+        if not page.find("#gallery").is_displayed():
+            page.find("#open").click()
         page.until(lambda: page.find(open_examples).is_displayed(), "the examples")
         page.script("document.querySelector(`#examples .card[data-name='${arguments[0]}']`).click()", name)
         page.until(lambda: page.text("#name").split(".")[0].split(" ")[0] == name.split(".")[0].split(" ")[0], name)
+        page.until(lambda: not page.find("#gallery").is_displayed(), "the document")
+        time.sleep(0.3)  # the code of nodes runs first
         page.settled()
         assert page.text("#message") == "" == page.text("#sheet-message"), name
         assert not page.browser.find_elements(By.CSS_SELECTOR, ".node.wrong"), name

@@ -389,6 +389,7 @@ if (!localStorage.getItem("fabserver hint")) {
   const close = element("button", { ariaLabel: "Close the hint" }, "✕");
   close.onclick = () => { localStorage.setItem("fabserver hint", "seen"); hint.remove(); };
   hint.append(close);
+  hint.onpointerdown = (event) => event.stopPropagation(); // the picture would take the click
   by("picture").append(hint);
 }
 
