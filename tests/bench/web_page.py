@@ -31,7 +31,8 @@ def first_picture(driver, address):
 def main():
     times = int(sys.argv[1]) if len(sys.argv) > 1 else 20
     folder = BUILD / "python" / "fieldfab" / "serve" / "page"
-    sizes = {path.name: len(zlib.compress(path.read_bytes(), 9)) for path in folder.iterdir()}
+    sizes = {path.name: len(zlib.compress(path.read_bytes(), 9)) for path in folder.iterdir()
+             if path.suffix != ".gz"}
     print(f"{sum(sizes.values()) / 1000:.0f} kB compressed: "
           + ", ".join(f"{name} {size / 1000:.0f}" for name, size in sorted(sizes.items(), key=lambda each: -each[1])))
     with tempfile.TemporaryDirectory() as documents, chromium() as driver:

@@ -10,7 +10,7 @@ import aiohttp
 import pytest
 from selenium.webdriver.common.keys import Keys
 from web_balancer import TOKEN, Balanced
-from web_page_test import Page, browser  # noqa: F401: a fixture
+from web_page import Page, browser  # noqa: F401: a fixture
 from web_server import wait_until
 
 BEARER = {"Authorization": f"Bearer {TOKEN}"}

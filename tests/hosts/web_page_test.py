@@ -1,10 +1,8 @@
 """fabserver's page in a real browser: typing, dragging nodes, changing their code, undo, reloading, and a server that
 is killed."""
 
-import contextlib
 import json
 import math
-import os
 import re
 import socket
 import time
@@ -18,139 +16,10 @@ from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from volume_test import dicom
-from web_server import Server, chromium
+from web_page import CIRCLE, POINT, browser, folder, nodes_of, page, server, set_value, sheet  # noqa: F401
+from web_server import Server
 
 import fieldfab as ff
-
-SECONDS = 40  # time limit of each step on a busy machine
-SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with chromium() as driver:
-        yield driver
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    return tmp_path_factory.mktemp("documents")
-
-
-@pytest.fixture(scope="module")
-def server(folder):
-    running = [Server(folder)]
-    yield running  # a list, since a test kills it and starts another one
-    running[0].end()
-
-
-class Page:
-    """Actions of a user on the page, and its visible state."""
-
-    def __init__(self, browser, server):
-        self.browser, self.server = browser, server
-
-    def open(self, name=""):
-        self.browser.get("about:blank")
-        self.browser.get(f"{self.server[0].address}#{name}")
-
-    def find(self, selector):
-        return self.browser.find_element(By.CSS_SELECTOR, selector)
-
-    def script(self, text, *arguments):
-        return self.browser.execute_script(text, *arguments)
-
-    def until(self, condition, what, seconds=SECONDS):
-        end, now = time.monotonic() + seconds, None
-        while time.monotonic() < end:
-            with contextlib.suppress(Exception):  # elements may be replaced meanwhile
-                if now := condition():
-                    return now
-            time.sleep(0.05)
-        shot = f"/tmp/fabserver-{os.getpid()}.png"
-        self.browser.save_screenshot(shot)
-        raise AssertionError(f"{what}: not within {seconds} s ({shot}); "
-                             f"{self.text('#message')} {self.text('#sheet-message')} {self.text('#away')}")
-
-    def text(self, selector):
-        return self.script("return document.querySelector(arguments[0])?.textContent ?? ''", selector)
-
-    def settled(self, host="#picture"):
-        """Waits until the last requested picture is shown in full resolution."""
-        is_settled = ("const d = document.querySelector(arguments[0]).dataset; "
-                      "return d.asked > 0 && d.shown === d.asked && d.quality === 'smooth'")
-        time.sleep(0.05)
-        self.until(lambda: self.script(is_settled, host), f"the picture in {host}")
-
-    def coloured(self, host="#picture"):
-        """Returns the area in the colour of flat models, mm2."""
-        count = """
-            const host = document.querySelector(arguments[0]), canvas = host.querySelector('canvas');
-            const flat = getComputedStyle(document.documentElement).getPropertyValue('--flat');
-            const [r, g, b] = flat.split(',').map(Number), near = (a, b) => Math.abs(a - b) < 8;
-            const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
-            let count = 0;
-            for (let i = 0; i < data.length; i += 4)
-              if (near(data[i], r) && near(data[i + 1], g) && near(data[i + 2], b) && data[i + 3] > 200) ++count;
-            return count * Number(host.dataset.scale) ** 2;"""
-        return self.script(count, host)
-
-    def picture(self):
-        """Returns the pixels of the picture as text for comparison."""
-        return self.script("return document.querySelector('#picture canvas').toDataURL()")
-
-    def type(self, selector, *keys):
-        editor = self.find(f"{selector} .cm-content")
-        editor.click()
-        for each in keys:  # separately, since a modifier lasts until the end of a call
-            editor.send_keys(each)
-
-    def saved(self, state="saved"):
-        self.until(lambda: self.script("return document.getElementById('saved').dataset.state") == state,
-                   f"the state '{state}'")
-
-    def node(self, name):
-        return next(each for each in self.browser.find_elements(By.CSS_SELECTOR, ".node")
-                    if each.get_attribute("title") == name)
-
-    def choose(self, name):
-        ActionChains(self.browser).click(self.node(name).find_element(By.CSS_SELECTOR, ".dot")).perform()
-
-    def drag(self, name, dx, dy):
-        ActionChains(self.browser).click_and_hold(self.node(name).find_element(By.CSS_SELECTOR, ".dot")).move_by_offset(
-            dx // 2, dy // 2).move_by_offset(dx - dx // 2, dy - dy // 2).release().perform()
-
-    def add(self, kind):
-        self.find("#add-node").click()
-        self.find("#find-node").send_keys(kind)
-        self.until(lambda: [b.click() or 1 for b in self.browser.find_elements(By.CSS_SELECTOR, "#nodes button")
-                            if b.text == kind][:1], f"the kind of node {kind}")
-
-    def shot(self, name):
-        if SHOTS:
-            self.browser.save_screenshot(os.path.join(SHOTS, f"{name}.png"))
-
-
-@pytest.fixture
-def page(browser, server):
-    made = Page(browser, server)
-    yield made
-    errors = [entry["message"] for entry in browser.get_log("browser")
-              if entry["level"] == "SEVERE" and "favicon" not in entry["message"]]
-    # "inline style": from Chromium, when typing replaces coloured text in an editable element; the policy blocks it.
-    known = ("ERR_CONNECTION_REFUSED", "413", "422", "409", "WebSocket connection", "Failed to fetch",
-             "Applying inline style")
-    assert [each for each in errors if not any(word in each for word in known)] == []
-
-
-def sheet(*nodes, **more):
-    made = [{"id": i + 1, "name": name, "x": x, "y": y, "code": code, "values": {}, "parents": parents}
-            for i, (name, x, y, code, parents) in enumerate(nodes)]
-    return json.dumps({"format": "fieldfab sheet", "version": 1, "snap": 1, "nodes": made, "text": "", **more})
-
-
-CIRCLE = ("const [centre] = parents;\n"
-          "return `move(circle(${mm(distance(centre, { x, y }))}), ${mm(centre.x)}, ${mm(centre.y)})`;")
 
 
 def test_text_and_picture(page, folder):
@@ -252,7 +121,23 @@ def test_a_point_of_the_model_is_dragged(page, folder):
     drag(round(-6 / scale), round(-4 / scale))
     page.until(lambda: np.allclose(values(), (-2, 2, 7), atol=1.1 * scale), "x and z, not y")
     page.find("#perspective").click()
-    page.until(lambda: not page.find(".handle").is_displayed(), "no handle in a perspective view")
+    page.settled()
+    page.find("#picture").send_keys("1")
+    page.settled()
+    assert page.find(".handle").is_displayed()
+    x, y, _ = values()
+    drag(40, 0)
+    page.until(lambda: abs(values()[0] - x) > scale, "the pin, moved in a perspective view")
+    page.settled()
+    centre = ("const h = document.querySelector('.handle').getBoundingClientRect(), "
+              "c = document.querySelector('#picture').getBoundingClientRect(); "
+              "return [h.left + h.width / 2 - c.left - c.width / 2, h.top + h.height / 2 - c.top - c.height / 2]")
+    at = [round(each) for each in page.script(centre)]
+    page.script("document.querySelector('.handles').hidden = true")
+    ActionChains(page.browser).move_to_element_with_offset(page.find("#picture"), *at).click().perform()
+    page.until(lambda: page.text("#picture .told").endswith("mm"), "the point below the handle")
+    seen = [float(each) for each in page.text("#picture .told").removesuffix(" mm").split(", ")]
+    assert math.dist(seen, values()) < 2.3, "the handle is over its ball, whose radius is 2 mm"
 
 
 def test_measuring_sections_parts_and_files(page, folder, tmp_path):
@@ -295,7 +180,7 @@ def test_measuring_sections_parts_and_files(page, folder, tmp_path):
     page.settled()
 
     page.browser.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(tmp_path)})
-    page.find("#download option[value='.stl']").click()
+    page.act("#download", "stl")
     page.until(lambda: (tmp_path / "parts.stl").exists(), "the file, with the document's name")
     page.until(lambda: abs(ff.Mesh.load(tmp_path / "parts.stl").volume - 16_000) < 20, "its volume")
 
@@ -426,14 +311,9 @@ def test_a_browser_that_is_closed_while_the_server_is_away_loses_nothing(page, f
     page.until(lambda: (folder / "kept.frep").read_text() == "circle(7)", "what was typed, in the file")
 
 
-POINT = "return { x, y };"
 PLATE = "return `extrude(${parents.map((each) => each.shape).join(' | ')}, ${mm(value('thickness', 5, 1, 9))})`;"
 FRAMED = (("Centre", -40, 0, POINT, []), ("Circle", 0, 10, CIRCLE, [1]), ("Edge", 0, -20, CIRCLE, [1]),
           ("Plate", 40, 0, PLATE, [2, 3]))
-
-
-def nodes_of(file):
-    return {node["name"]: node for node in json.loads(file.read_text())["nodes"]}
 
 
 def test_groups_of_nodes(page, folder):
@@ -506,7 +386,7 @@ def test_groups_by_menu_rectangle_and_copies(page, folder):
     actions.click_and_hold().move_by_offset(60, 40).move_by_offset(40, round(30 / scale) + 30).release()
     actions.key_up(Keys.SHIFT).perform()
     page.until(lambda: "2 nodes" in page.text("#inspector"), "two chosen nodes")
-    page.find("#groups option[value=group]").click()
+    page.act("#groups", "Group the chosen nodes")
     page.until(lambda: page.node("Group 1"), "the group")
     host.send_keys(Keys.CONTROL + "c")
     host.send_keys(Keys.CONTROL + "v")
@@ -529,7 +409,7 @@ def test_groups_by_menu_rectangle_and_copies(page, folder):
     host.send_keys(Keys.CONTROL + "a")
     host.send_keys(Keys.CONTROL + "g")
     page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, ".node")) == 1, "a group of groups")
-    page.find("#groups option[value=toggle]").click()
+    page.act("#groups", "Expand or collapse")
     page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, ".node")) == 4, "the outer group, expanded")
     page.until(lambda: len(json.loads(file.read_text())["groups"]) == 3, "the group of groups, saved")
     page.find("#fit-sheet").click()
@@ -583,7 +463,7 @@ def test_a_mistake_in_a_closed_group_is_found(page, folder):
         (folder / "bad.json").write_text(json.dumps(bad))
         page.open("bad.json")
         page.until(lambda: "group of this sheet is within itself" in page.text("#message")
-                   or "a group that is none" in page.text("#message"), f"what is wrong with {change}")
+                   or "A group of this sheet has no number" in page.text("#message"), f"what is wrong with {change}")
         assert json.loads((folder / "bad.json").read_text()) == bad
 
 
@@ -726,8 +606,7 @@ def test_a_series_of_slices_by_upload(page, folder, tmp_path):
     page.open()
     page.until(lambda: page.find("#new-scan").is_displayed(), "the gallery")
     page.find("#scan-file").send_keys(str(tmp_path / "IM0000"))
-    page.until(lambda: page.browser.switch_to.alert.text, "what is wrong with one slice")
-    page.browser.switch_to.alert.accept()
+    page.answer("", "OK")  # what is wrong with one slice
     page.find("#scan-file").send_keys("\n".join(str(tmp_path / f"IM{k:04d}") for k in range(24)))
     page.until(lambda: page.find("#histogram svg").is_displayed(), "the histogram")
     page.settled()
@@ -736,11 +615,6 @@ def test_a_series_of_slices_by_upload(page, folder, tmp_path):
     [name] = re.findall(r'open\("(.+\.nii)"', page.text("#editor"))
     assert ff.Volume.open(folder / name).size == [24, 24, 24]
     assert page.text("#histogram").startswith("24 × 24 × 24 samples, 1 × 1 × 1 mm apart")
-
-
-def set_value(page, selector, value):
-    page.script("const e = document.querySelector(arguments[0]); e.value = arguments[1]; "
-                "e.dispatchEvent(new Event('change'))", selector, str(value))
 
 
 def program_of(page, server, path):
@@ -840,7 +714,7 @@ def test_documents_that_cannot_be_shown_are_left_as_they_are(page, folder):
     page.type("#editor", "x")
     (folder / "long.frep").write_text("# " + "x" * 1_200_000 + "\nsphere(1)\n")
     page.open("long.frep")
-    page.until(lambda: "more than 1 MB" in page.text("#message"), "what is wrong")
+    page.until(lambda: "texts with more than 1 MB are not shown" in page.text("#message"), "what is wrong")
     assert (folder / "newer.json").read_text() == newer
 
 
@@ -852,6 +726,11 @@ def test_a_link_holds_a_model(page, folder, server):
       return btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
     })()""")
     page.open(f"share={link}")
+    page.answer("“shared.frep”", "Leave it")
+    page.until(lambda: page.find("#examples").is_displayed(), "the gallery")
+    assert not (folder / "shared.frep").exists()
+    page.open(f"share={link}")
+    page.answer("“shared.frep”", "Add it")
     page.settled()
     assert abs(page.coloured() / (math.pi * 36) - 1) < 0.02
     assert (folder / "shared.frep").read_text() == "circle(6)"

@@ -177,7 +177,7 @@ def test_views_do_not_disturb_each_other(server):
     ('{"number": 1, "text": "sphere(1)", "bounds": [1, 0, 0, 0, 1, 1]}', "the lower ones first"),
     ('{"number": 1, "text": "sphere(1)", "width": 31623, "height": 31623}', "4096"),
     ('{"number": 1, "text": "sphere(1)", "width": 4000, "height": 4000}', "4,000,000"),
-    ('{"number": 1, "text": "sphere(1)", "colour": "red"}', "'colour' is no field"),
+    ('{"number": 1, "text": "sphere(1)", "colour": "red"}', "'colour' is not a field"),
     ('{"number": 1, "text": 3}', "must be text"), ('{"number": 1, "text": "\\ud800"}', "surrogate"),
     ('{"number": 1, "text": "sphere(1)", "values": {"r": "1"}}', "'values.r'"),
     ('{"number": 1, "text": "sphere(1)", "mode": "beautiful"}', "shaded, height, normals, bitmap"),
@@ -382,8 +382,8 @@ def test_jobs_are_cancelled_and_refused(server):
     refused((status, json.loads(data)), 409, "no file")
     assert server.ask("DELETE", f"/api/jobs/{job['job']}")[0] == 200
     assert finished(server, job)["state"] == "cancelled"
-    refused(server.post("/api/files", {**SPHERE, "extension": ".exe"}), 400, "no format")
-    refused(server.post("/api/files", {**SPHERE, "extension": "/../../x.stl"}), 400, "no format")
+    refused(server.post("/api/files", {**SPHERE, "extension": ".exe"}), 400, "not a format")
+    refused(server.post("/api/files", {**SPHERE, "extension": "/../../x.stl"}), 400, "not a format")
     status, _, _ = server.ask("GET", "/api/jobs/nothing")
     assert status == 404
 
@@ -535,11 +535,11 @@ def drawn_volume(stills, data):
 
 @pytest.mark.parametrize("change, words", [
     ({"machine": "../mine.toml"}, "must be one of"),
-    ({"tools": [{**TOOL, "library": "/etc/passwd"}]}, "'library' is no setting"),
-    ({"stock": {"file": "/etc/passwd"}}, "'file' is no setting"),
+    ({"tools": [{**TOOL, "library": "/etc/passwd"}]}, "'library' is not a setting"),
+    ({"stock": {"file": "/etc/passwd"}}, "'file' is not a setting"),
     ({"input": {"model": "x"}}, "must be an object of"),
     ({"tools": [{**TOOL, "name": 'x"\nlibrary = "y'}]}, "short text"),
-    ({"operations": [{'type"]\n': "x"}]}, "no setting"),
+    ({"operations": [{'type"]\n': "x"}]}, "not a setting"),
     ({"operations": [{"type": "rough", "tool": 1, "feed": float("nan")}]}, "finite"),
     ({"tools": [TOOL] * 51}, "at most 50"),
 ])  # fmt: skip

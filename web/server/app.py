@@ -93,11 +93,12 @@ class Server:
 
     async def part_of_page(self, request):
         path = PAGE / request.match_info["name"]
-        if path.name not in {each.name for each in PAGE.iterdir() if each.is_file()}:
+        if path.name not in {each.name for each in PAGE.iterdir() if each.is_file() and each.suffix != ".gz"}:
             raise web.HTTPNotFound
         headers = {"Content-Security-Policy": SANDBOX_POLICY} if path.name == "sandbox.html" else {}
         return web.FileResponse(path,
-                                headers={**headers, "Cache-Control": "no-cache", "X-Content-Type-Options": "nosniff"})
+                                headers={**headers, "Cache-Control": "no-cache", "Vary": "Accept-Encoding",
+                                         "X-Content-Type-Options": "nosniff"})
 
     async def description(self, request):
         return web.json_response(openapi.description())
@@ -118,7 +119,7 @@ class Server:
         return web.json_response({"version": version}, headers={"ETag": f'"{version}"'})
 
     async def remove_document(self, request):
-        self.documents.remove(request.match_info["name"])
+        self.documents.remove(request.match_info["name"], request.headers.get("If-Match", "*").strip('"'))
         return web.json_response({})
 
     async def upload_scan(self, request):
@@ -186,7 +187,7 @@ class Server:
     async def start_file(self, request):
         wanted = await self._checked("file", request)
         if wanted["extension"] not in files.written_formats():
-            raise wrong(f"'{wanted['extension'][:20]}' is no format of files; "
+            raise wrong(f"'{wanted['extension'][:20]}' is not a format of files; "
                         f"these are: {' '.join(sorted(files.written_formats()))}")
         return web.json_response(self.jobs.start(wanted, "model" + wanted["extension"]).told(), status=202)
 

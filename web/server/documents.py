@@ -30,8 +30,8 @@ class Documents:
     def _path(self, name):
         """Returns a document's path. Raises Refused for an invalid name and for a link out of the folder."""
         if not self._is_name(name):
-            raise Refused(400, "name", f"'{name[:120]}' is no name of a document: "
-                          "letters, digits, spaces and . + - _, and .frep or .json at the end")
+            raise Refused(400, "name", f"'{name[:120]}' cannot be the name of a document: it has letters, digits, "
+                          "spaces and . + - _, begins with a letter or a digit, and ends with .frep or .json")
         path = os.path.join(self.folder, name)
         if os.path.dirname(os.path.realpath(path)) != self.folder:
             raise Refused(403, "name", f"'{name}' is a link that leads out of the folder")
@@ -78,7 +78,7 @@ class Documents:
         try:
             data.decode()
         except UnicodeDecodeError as error:
-            raise Refused(400, "bad_request", f"the document is no UTF-8 (byte {error.start})") from None
+            raise Refused(400, "bad_request", f"the document is not UTF-8 (byte {error.start})") from None
         with self._alone():
             if expected != "*" and self.version(name) not in (expected, version_of(data)):
                 raise Refused(409, "changed", f"'{name}' was changed by someone else meanwhile")
@@ -99,8 +99,13 @@ class Documents:
         finally:
             os.close(folder)
 
-    def remove(self, name):
-        try:
-            os.remove(self._path(name))
-        except FileNotFoundError:
-            raise Refused(404, "missing", f"there is no document '{name}'") from None
+    def remove(self, name, expected="*"):
+        """Removes the document if its version is the expected one ("*": any version)."""
+        path = self._path(name)
+        with self._alone():
+            if expected != "*" and self.version(name) not in (expected, None):
+                raise Refused(409, "changed", f"'{name}' was changed by someone else meanwhile")
+            try:
+                os.remove(path)
+            except FileNotFoundError:
+                raise Refused(404, "missing", f"there is no document '{name}'") from None

@@ -64,7 +64,7 @@ def description():
     paths["/api/documents"] = {"get": said("the documents")}
     paths["/api/documents/{name}"] = {**in_path("name"), "get": said("a document", kind="text/plain"),
                                       "put": said("writes a document; If-Match: its version, * or none"),
-                                      "delete": said("removes a document")}
+                                      "delete": said("removes a document; If-Match: its version, * or none")}
     paths["/api/scans/{name}"] = {**in_path("name"), "put": said("writes a scan", "201"),
                                   "delete": said("removes a scan")}
     paths["/api/examples"] = {"get": said("names of the examples")}

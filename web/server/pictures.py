@@ -25,6 +25,11 @@ def turned_back(point, alpha, beta):
     return math.cos(alpha) * x + math.sin(alpha) * y, -math.sin(alpha) * x + math.cos(alpha) * y, z
 
 
+def eye_distance(bounds, perspective):
+    """Returns the distance of the eye from the middle of the model, as the kernel's camera has it."""
+    return math.dist(bounds[:3], bounds[3:]) / 2 / math.sin(perspective / 2) if perspective else math.inf
+
+
 def fitting_window(model, request):
     """Returns the window that fits the model with a margin."""
     low, high = model.bounds[:3], model.bounds[3:]
@@ -33,9 +38,12 @@ def fitting_window(model, request):
         x, y = middle[:2]
         scale = 1.06 * max((high[0] - low[0]) / request["width"], (high[1] - low[1]) / request["height"])
     else:
-        x, y, _ = turned(middle, request["alpha"], request["beta"])
+        x, y, depth = turned(middle, request["alpha"], request["beta"])
         corners = [turned((a, b, c), request["alpha"], request["beta"]) for a in (low[0], high[0])
                    for b in (low[1], high[1]) for c in (low[2], high[2])]
+        eye = eye_distance(model.bounds, request["perspective"])
+        nearness = [1 - (p[2] - depth) / eye for p in corners]
+        corners = [(x + (p[0] - x) / near, y + (p[1] - y) / near) for p, near in zip(corners, nearness)]
         scale = 1.06 * max((max(p[i] for p in corners) - min(p[i] for p in corners)) / request[side]
                            for i, side in enumerate(("width", "height")))
     half_x, half_y = scale * request["width"] / 2, scale * request["height"] / 2
@@ -130,13 +138,18 @@ def pick(model, request, progress):
     else:
         solid, _ = cut(model, request["section"])
         half = max(model.bounds[3] - model.bounds[0], model.bounds[4] - model.bounds[1]) * 1e-4
-        image = ff.render(solid, "height", 9, alpha=request["alpha"], beta=request["beta"], bounds=model.bounds,
+        image = ff.render(solid, "height", 9, alpha=request["alpha"], beta=request["beta"],
+                          perspective=request["perspective"], bounds=model.bounds,
                           window=(u - half, v - half, u + half, v + half), progress=progress)
         height = int(image.pixels[4, 4])
         if height == 0:
             return {"place": None}
-        place = turned_back((u, v, image.zmin + (height - 1) / 65534 * (image.zmax - image.zmin)), request["alpha"],
-                            request["beta"])
+        depth = image.zmin + (height - 1) / 65534 * (image.zmax - image.zmin)
+        middle = turned([(a + b) / 2 for a, b in zip(model.bounds[:3], model.bounds[3:])], request["alpha"],
+                        request["beta"])
+        near = 1 - (depth - middle[2]) / eye_distance(model.bounds, request["perspective"])
+        place = turned_back((middle[0] + (u - middle[0]) * near, middle[1] + (v - middle[1]) * near, depth),
+                            request["alpha"], request["beta"])
     value = model.solid.value(*place)
     names = ([name for _, name, _ in sorted(model.parts, key=lambda part: part[0].value(*place))]
              if len(model.parts) > 1 else [None])

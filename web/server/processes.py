@@ -74,7 +74,7 @@ class Worker:
             if self._stopping:
                 return
             raise Refused(422, "memory",
-                          "the worker came to its end at this: it takes too much memory, or too deep a stack") from None
+                          "the worker process ended: this takes too much memory, or too deep a stack") from None
         finally:
             self._timeout = None
             if not done:

@@ -81,7 +81,7 @@ def text(value, name):
     try:
         size = len(value.encode())
     except UnicodeEncodeError:
-        raise wrong(f"'{name}' is no Unicode: it has half a surrogate pair") from None
+        raise wrong(f"'{name}' is not Unicode: it has half a surrogate pair") from None
     if size > LIMITS.text:
         raise Refused(413, "too_large", f"the text has {size:,} bytes; {LIMITS.text:,} are possible")
     return value
@@ -119,7 +119,7 @@ def settings(value, name, keys=None):
     checked_values = {}
     for key, each in value.items():
         if not SETTING_NAME.fullmatch(key) or (keys is not None and key not in keys):
-            raise wrong(f"'{key[:40]}' is no setting of '{name}'")
+            raise wrong(f"'{key[:40]}' is not a setting of '{name}'")
         is_text = isinstance(each, str) and each not in ("NaN", "Infinity", "-Infinity")  # JSON constants read as text
         checked_values[key] = (each if isinstance(each, bool) else short_text(each, f"{name}.{key}") if is_text
                                else number(each, f"{name}.{key}"))
@@ -190,7 +190,7 @@ def checked(do, given, folder, allow_scripts, beside=()):
     if not isinstance(given, dict):
         raise wrong("a request is a JSON object")
     if unknown := sorted(set(given) - set(fields) - set(beside)):
-        raise wrong(f"'{unknown[0]}' is no field of '{do}'; these are: {', '.join(fields)}")
+        raise wrong(f"'{unknown[0]}' is not a field of '{do}'; these are: {', '.join(fields)}")
     request = {"do": do, "folder": folder}
     for name, (check, default) in fields.items():
         if name not in given and default is MUST:

@@ -57,8 +57,8 @@ def run(request, memory, seconds, most, topic, name):
             heads = [{"error": {"kind": "time",
                                 "message": f"this takes longer than {seconds:g} s, which is what a request may take"}}]
         elif not heads:
-            heads = [{"error": {"kind": "memory", "message": "the worker came to its end at this: "
-                                "it takes too much memory, or too deep a stack"}}]
+            heads = [{"error": {"kind": "memory", "message": "the worker process ended: "
+                                "this takes too much memory, or too deep a stack"}}]
         paths = [os.path.join(folder, each) for each in os.listdir(folder)]
         if sum(map(os.path.getsize, paths)) > most:
             heads, paths = [{"error": {"kind": "too_large", "message": f"its files have more than {most:,} bytes"}}], []

@@ -31,8 +31,8 @@ class Scans:
     def path(self, name):
         """Returns a scan's path. Raises Refused for an invalid name."""
         if not NAME.fullmatch(name):
-            raise Refused(400, "name", f"'{name[:120]}' is no name of a scan: "
-                          f"letters, digits, spaces and . + - _, and {ENDINGS} at the end")
+            raise Refused(400, "name", f"'{name[:120]}' cannot be the name of a scan: it has letters, digits, spaces "
+                          f"and . + - _, begins with a letter or a digit, and ends with {ENDINGS}")
         return os.path.join(self._folder, name)
 
     def existing(self, name):
@@ -70,6 +70,8 @@ class Scans:
                 if converted:
                     made = os.path.join(waiting, "made.nii")
                     note = await self._convert(given, made)
+                if request.transport is None or request.transport.is_closing():
+                    raise Refused(400, "gone", "the upload was cancelled")
                 await asyncio.to_thread(self._publish, made if converted else given, path)
             except TimeoutError:
                 raise Refused(408, "time", f"the upload took longer than {LIMITS.upload_seconds:g} s") from None

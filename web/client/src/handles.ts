@@ -1,6 +1,6 @@
 // Points of a text's model that are dragged in the picture: parameters NAME_x and NAME_y, with or without NAME_z.
 import { element } from "./elements";
-import { type Picture, turned } from "./picture";
+import { type Picture } from "./picture";
 import type { Parameter } from "./server";
 
 type Triple = [number, number, number];
@@ -40,9 +40,9 @@ export class Handles {
 
   place(): void {
     const { picture } = this;
-    this.layer.hidden = !picture.scale || picture.camera.perspective > 0;
+    this.layer.hidden = !picture.scale;
     for (const [i, handle] of this.handles.entries()) {
-      const point = this.at(handle), [u, v] = picture.twoD ? point : turned(point, picture.camera);
+      const [u, v] = picture.project(this.at(handle));
       const [x, y] = picture.pixel(u, v);
       (this.layer.children[i] as HTMLElement).style.transform = `translate(${x}px, ${y}px)`;
     }
@@ -77,19 +77,20 @@ export class Handles {
 
   /** Moves a point in the picture's plane, mm; without NAME_z in the plane of its z. */
   private move(i: number, start: Triple, du: number, dv: number): void {
-    const { picture } = this, { axes } = this.handles[i], { alpha, beta } = picture.camera;
-    const cosA = Math.cos(alpha), sinA = Math.sin(alpha), cosB = Math.cos(beta), sinB = Math.sin(beta);
-    let way: Triple;
-    if (picture.twoD) way = [du, dv, 0];
-    else if (axes[2]) way = [cosA * du + cosB * sinA * dv, -sinA * du + cosB * cosA * dv, -sinB * dv];
-    else {
-      const deep = Math.abs(cosB) > 0.1 ? dv / cosB : 0;  // seen from the side, the plane is a line
-      way = [cosA * du + sinA * deep, -sinA * du + cosA * deep, 0];
+    const { picture } = this, { axes } = this.handles[i];
+    let way: Triple = [du, dv, 0];
+    if (!picture.twoD) {
+      const [u, v] = picture.project(start);
+      // Seen from the side, the plane of its z is a line: then it moves along that only.
+      const to = axes[2] ? picture.through(u + du, v + dv, start, "view")
+        : picture.through(u + du, v + dv, start, "z") ?? picture.through(u + du, v, start, "view");
+      way = to!.map((each, axis) => each - start[axis]) as Triple;
+      if (!axes[2]) way[2] = 0;
     }
     const digits = Math.min(6, Math.max(0, Math.ceil(-Math.log10(picture.scale))));
     const values: Record<string, number> = {};
     for (const [axis, parameter] of axes.entries()) {
-      if (!parameter || way[axis] === 0) continue;
+      if (!parameter || Math.abs(way[axis]) < 1e-9) continue;
       const [low, high] = parameter.range ?? [-Infinity, Infinity];
       values[parameter.name] = Math.min(high, Math.max(low, Number((start[axis] + way[axis]).toFixed(digits))));
       parameter.value = values[parameter.name];

@@ -75,6 +75,19 @@ export async function forgetHistory(name: string): Promise<void> {
   } catch { /* there is none */ }
 }
 
+/** Gives a document's history to another name. */
+export async function moveHistory(from: string, to: string): Promise<void> {
+  const version = knownVersion(from);
+  if (version) knowVersion(to, version);
+  localStorage.removeItem(knownKey(from));
+  try {
+    const kept = await answer((await store("readonly")).get(from)), histories = await store("readwrite");
+    histories.delete(from);
+    if (kept) histories.put({ ...kept, name: to });
+    else histories.delete(to);
+  } catch { /* without a database there is none */ }
+}
+
 // The last version of a file that this browser read or wrote.
 
 const knownKey = (name: string): string => `fabserver version ${name}`;

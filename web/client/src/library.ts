@@ -50,6 +50,22 @@ const SHAPES = new Set(["shape", "a", "b"]);
 /** Initial value of a number without a default. */
 const START: Record<string, number> = { angle: 30, whole: 3, number: 5, expression: 5 };
 
+/** Calls that show nothing with the usual numbers: constants in place of coordinates, shapes without end. */
+const CALLS: Record<string, string> = {
+  map: "map(${parents[0].shape}, x, y + ${mm(value(\"bend\", 2, 0, 10))} * sin(x / " +
+    "${mm(value(\"length\", 5, 1, 20))}), z)",
+  repeat_x: "repeat_x(${parents[0].shape}, ${mm(value(\"period\", 20, 1, 100))}) & " +
+    "rectangle(${mm(value(\"end\", 80, 1, 400))}, 1000)",
+  repeat_y: "repeat_y(${parents[0].shape}, ${mm(value(\"period\", 20, 1, 100))}) & " +
+    "rectangle(1000, ${mm(value(\"end\", 80, 1, 400))})",
+  repeat_z: "repeat_z(${parents[0].shape}, ${mm(value(\"period\", 20, 1, 100))}) & " +
+    "box(1000, 1000, ${mm(value(\"end\", 80, 1, 400))})",
+  taper: "taper(${parents[0].shape}, ${mm(value(\"height\", 20, 1, 200))}, ${mm(value(\"factor\", 0.6, 0, 2))})",
+};
+
+/** Cuts off what has no end. */
+const BLOCK = "box(${Array(3).fill(mm(value(\"size\", 30, 1, 200))).join(\", \")})";
+
 function codeOf(each: LibraryFunction): { code: string; parents: number } {
   const shapes = each.parameters.filter((p) => SHAPES.has(p.name) && p.default === null);
   const moved = shapes.length === 0;
@@ -66,7 +82,9 @@ function codeOf(each: LibraryFunction): { code: string; parents: number } {
   });
   const all = each.any_number && shapes.length ? ["${parents.map((each) => each.shape).join(\", \")}"]
     : shapes.map((_, i) => `\${parents[${i}].shape}`);
-  const call = `${each.name}(${[...all, ...numbers].join(", ")})`;
+  let call = CALLS[each.name] ?? `${each.name}(${[...all, ...numbers].join(", ")})`;
+  if (each.group === "Lattices") call = `shell(${call}, \${mm(value("wall", 1, 0.1, 10))}) & ${BLOCK}`;
+  else if (each.name === "plane") call += ` & ${BLOCK}`;
   const meaning = each.meaning ? `// ${each.signature}: ${each.meaning.replaceAll("\n", " ")}\n`
     : `// ${each.signature}\n`;
   const text = moved ? `move(${call}, \${mm(x)}, \${mm(y)})` : call;

@@ -1,6 +1,7 @@
 // The Machine view: the workflow as stacked panels (Keeter 6), made from fieldfab.cam's tables. Plans and simulations
 // are shown in 3D.
 import { by, element, short } from "./elements";
+import { versions } from "./messages";
 import { ask, post, Refusal } from "./server";
 import type { Playback } from "./playback";
 import { Store } from "./store";
@@ -68,6 +69,30 @@ function fresh(flat: boolean, sampled: boolean): JobText {
   };
 }
 
+type Model = { text: string; language: string };
+
+const isTable = (value: unknown): boolean => typeof value === "object" && value !== null && !Array.isArray(value);
+
+/** Reads a job's file. Throws Error with a description of the fault. */
+function readJob(name: string, text: string): Partial<JobText> {
+  let given: Partial<JobText>;
+  try {
+    given = JSON.parse(text);
+  } catch (error) {
+    throw new Error(`${name} is not a job: ${(error as Error).message}. It is left as it is`);
+  }
+  if (given?.format !== "fieldfab job") throw new Error(`${name} is not a job of fabserver. It is left as it is`);
+  if (given.version !== 1)
+    throw new Error(`${name} is of version ${given.version}; this page knows version 1. ` +
+      "It is left as it is: open it with a newer Fieldfab");
+  const { tools = [], operations = [], setting = {}, stock = {} } = given;
+  const lists = [tools, operations].every((each) => Array.isArray(each) && each.every(isTable));
+  if (!lists || !isTable(setting) || !isTable(stock))
+    throw new Error(`${name} is not a job: its tools, operations, stock or settings are not tables. ` +
+      "It is left as it is");
+  return given;
+}
+
 function time(seconds: number): string {
   const minutes = Math.floor(seconds / 60);
   return minutes ? `${minutes} min ${Math.round(seconds % 60)} s` : `${short(seconds, 3)} s`;
@@ -80,53 +105,108 @@ export class MachineView {
   private name = "";
   private running: Job | null = null;
   private playback: Playback | null = null;
-  private model: { text: string; language: string } | null = null;
+  private model: Model | null = null;
+  private usable = false; // whether there is a job that can be planned
+  private stopped = false; // whether the user ended the job that runs
+  private shown: { model: Model | null; job: string } | null = null; // of which the results are
   flat = false;
 
   constructor() {
     by("plan").onclick = () => void this.run(false);
     by("simulate").onclick = () => void this.run(true);
     by("stop-job").onclick = () => {
-      if (this.running) void ask(`/api/jobs/${this.running.job}`, { method: "DELETE" }).catch(() => {});
+      this.stopped = true;
+      if (this.running?.job) void ask(`/api/jobs/${this.running.job}`, { method: "DELETE" }).catch(() => {});
     };
     this.store.onState = (state, message) => {
       const said = { saved: "", saving: "", away: "The job is kept in this browser",
-        conflict: "The job was changed elsewhere", refused: `The job is not saved: ${message}`, none: "" }[state];
-      by("job-state").textContent = said;
-      if (state === "conflict") this.store.overwrite();
+        conflict: "The job was changed elsewhere", refused: `The job is not saved: ${message}`,
+        lost: "The job is not saved: keep this page open", shown: "The job is not saved", none: "" }[state];
+      by("job-state").replaceChildren(said);
+      if (state !== "conflict") return;
+      const theirs = (): void => { this.store.forget(); void this.load(this.name); };
+      by("job-state").append(" ", ...versions(() => this.store.overwrite(), theirs));
     };
   }
 
   /** Shows the job of a document, or a default one. */
-  async open(document: string, model: { text: string; language: string } | null): Promise<void> {
-    this.model = model;
+  async open(document: string, model: Model | null): Promise<void> {
+    this.follow(model);
     const name = document.replace(/\.\w+$/, "") + ".job";
-    if (this.name === name) return;
+    if (this.name !== name) await this.load(name);
+  }
+
+  private async load(name: string): Promise<void> {
     this.name = name;
     this.hide();
     by("panels").replaceChildren();
-    by("job-result").replaceChildren();
+    this.forgetResults();
     this.tell("");
+    this.use(false);
     try {
       this.tables ??= await (await ask("/api/machining")).json();
       const { documents } = await (await ask("/api/documents")).json();
       const text = documents.some((each: { name: string }) => each.name === name) ? await this.store.open(name)
         : await this.store.begin(name);
       if (this.name !== name) return;
-      const given = text ? JSON.parse(text) : null;
-      if (given && (given.format !== "fieldfab job" || given.version !== 1))
-        throw new Error(`${name} is of another version; it is left as it is`);
-      this.job = { ...fresh(this.flat, /\bopen\s*\(/.test(model?.text ?? "")), ...given };
+      const given = text ? readJob(name, text) : {};
+      this.job = { ...fresh(this.flat, /\bopen\s*\(/.test(this.model?.text ?? "")), ...given };
       this.draw();
+      this.use(true);
     } catch (error) {
-      this.name = this.store.name = "";
+      if (this.name !== name) return;
+      this.name = "";
+      this.store.close(error instanceof TypeError ? "none" : "shown");
       this.tell(error instanceof TypeError ? "The server is away" : (error as Error).message);
     }
   }
 
-  follow(model: { text: string; language: string } | null): void { this.model = model; }
+  /** Ends the work on the job, whose document is removed or gets another name. */
+  async close(): Promise<void> {
+    await this.store.flush();
+    this.name = "";
+    this.store.close();
+  }
 
-  private changed(): void { this.store.change(JSON.stringify(this.job, null, 1) + "\n"); }
+  /** Writes the changes that wait. */
+  flush(): Promise<void> { return this.store.flush(); }
+
+  follow(model: Model | null): void {
+    this.model = model;
+    this.compare();
+  }
+
+  private use(on: boolean): void {
+    this.usable = on;
+    this.enable();
+  }
+
+  private enable(): void {
+    for (const each of ["plan", "simulate"])
+      by<HTMLButtonElement>(each).disabled = !this.usable || this.running !== null;
+  }
+
+  private forgetResults(): void {
+    this.shown = null;
+    by("job-result").replaceChildren();
+    this.compare();
+  }
+
+  /** Marks results of an earlier model or job, and takes away what could be milled or believed. */
+  private compare(): void {
+    const { shown, model } = this;
+    const isOld = shown !== null && (shown.model?.text !== model?.text || shown.model?.language !== model?.language ||
+      shown.job !== JSON.stringify(this.job));
+    by("job-result").classList.toggle("old", isOld);
+    by("stage").classList.toggle("old", isOld);
+    for (const each of by("job-result").querySelectorAll<HTMLElement>("[data-when]"))
+      each.hidden = (each.dataset.when === "old") !== isOld;
+  }
+
+  private changed(): void {
+    this.store.change(JSON.stringify(this.job, null, 1) + "\n");
+    this.compare();
+  }
 
   // Panels
 
@@ -273,38 +353,47 @@ export class MachineView {
   }
 
   private async run(simulate: boolean): Promise<void> {
-    if (!this.model || this.running) return;
+    if (this.running || !this.usable) return;
+    if (!this.model) return this.tell("There is nothing to plan: the model is empty");
     this.tell("");
-    by("job-result").replaceChildren();
-    const buttons = [by<HTMLButtonElement>("plan"), by<HTMLButtonElement>("simulate")];
+    this.forgetResults();
+    this.stopped = false;
+    const of = { model: this.model, job: JSON.stringify(this.job) };
     const bar = by<HTMLProgressElement>("job-progress");
-    for (const each of buttons) each.disabled = true;
     by("job-running").hidden = false;
+    let begun = false;
     try {
       const { format: _, version: __, ...job } = this.job;
       const takesPaths = ["paths", "flat paths"].includes(
         this.tables!.machines.find((each) => each.id === job.machine)!.takes);
-      this.running = await post<Job>("/api/machine",
+      const asked = post<Job>("/api/machine",
         { ...this.model, job: takesPaths ? job : { ...job, operations: [] }, simulate });
+      this.running = { job: "", state: "waiting", progress: 0, message: "", error: null, result: null };
+      this.enable();
+      this.running = await asked;
+      begun = true;
+      if (this.stopped) await ask(`/api/jobs/${this.running.job}`, { method: "DELETE" });
       while (this.running.state === "waiting" || this.running.state === "working") {
         bar.value = this.running.progress;
         by("job-doing").textContent = this.running.message || "waiting";
         this.running = await (await ask(
           `/api/jobs/${this.running.job}?state=${this.running.state}&progress=${this.running.progress}`)).json() as Job;
       }
-      if (this.running.state === "done") await this.show(this.running, simulate);
-      else this.tell(this.running.error?.message ?? "It was stopped");
+      if (this.running.state === "done") await this.show(this.running, simulate, of);
+      else if (this.stopped)
+        by("job-result").replaceChildren(element("p", { className: "quiet" }, "You stopped the plan."));
+      else this.tell(this.running.error?.message ?? "The server stopped the plan");
     } catch (error) {
-      this.tell(error instanceof Refusal ? error.message : error instanceof TypeError ? "The server is away"
-        : String(error));
+      this.tell(error instanceof Refusal ? error.message : !(error instanceof TypeError) ? String(error)
+        : begun ? "The server went away during the plan. Plan again when it is back." : "The server is away");
     } finally {
       this.running = null;
-      for (const each of buttons) each.disabled = false;
+      this.enable();
       by("job-running").hidden = true;
     }
   }
 
-  private async show(done: Job, simulated: boolean): Promise<void> {
+  private async show(done: Job, simulated: boolean, of: { model: Model; job: string }): Promise<void> {
     const told = done.result!;
     const address = (name: string): string => `/api/jobs/${done.job}/files/${encodeURIComponent(name)}`;
     const link = (name: string, words: string, saved = ""): HTMLElement => element("a", saved
@@ -315,16 +404,24 @@ export class MachineView {
       element("td", {}, `${Math.round(each.cut)} mm`), element("td", {}, time(each.seconds))));
     const faults = (told.events ?? []).map((each) => element("li", {},
       `${each.kind}, line ${each.line}: ${short(each.amount, 3)} mm`));
-    by("job-result").replaceChildren(
+    // Shown for as long as the results are those of the model and the job as they are now.
+    const now = <T extends HTMLElement>(made: T): T => { made.dataset.when = "now"; return made; };
+    const old = element("p", { className: "bad", hidden: true },
+      "These results are of an earlier state: the model or the job changed since. Plan again.");
+    old.dataset.when = "old";
+    old.setAttribute("role", "status");
+    by("job-result").replaceChildren(old,
       element("p", {}, element("strong", { id: "job-time" }, time(told.seconds)), " ",
         ...(told.planned_seconds !== told.seconds ? [`(${time(told.planned_seconds)} with the planned feeds) `] : []),
-        ...(simulated ? [element("span", { className: told.good ? "good" : "bad" },
-          told.good ? "The simulation found no fault." : "The simulation found faults.")] : [])),
+        ...(simulated ? [now(element("span", { className: told.good ? "good" : "bad" },
+          told.good ? "The simulation found no fault." : "The simulation found faults."))] : [])),
       ...(faults.length ? [element("ul", {}, ...faults)] : []), element("table", {}, ...rows),
       ...told.notes.map((each) => element("p", { className: "quiet" }, each)),
-      element("p", { className: "links-of-job" },
+      now(element("p", { className: "links-of-job" },
         link(told.program, "Program", stem + told.program.replace(/^program/, "")), link("sheet.html", "Set-up sheet"),
-        ...(simulated ? [link("report.html", "Report")] : []), link("job.toml", "Job file", `${stem}.toml`)));
+        ...(simulated ? [link("report.html", "Report")] : []), link("job.toml", "Job file", `${stem}.toml`))));
+    this.shown = of;
+    this.compare();
     try {
       const { Playback } = await import("./playback");  // loads three.js on first use
       by("stage").hidden = false;

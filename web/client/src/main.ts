@@ -1,20 +1,27 @@
 // The page: one document, its views, and the actions of the buttons.
-import { by, element, pressed } from "./elements";
+import { offerFiles } from "./download";
+import { by, element, pressed, short } from "./elements";
+import { freeName, Gallery, languageOf, said } from "./gallery";
 import { flushHistory, forgetHistory, type History, historyOf, keepHistory } from "./history";
 import { Handles } from "./handles";
 import { MachineView } from "./machine";
+import { message, notice, question, questionOfText, versions } from "./messages";
 import { Picture } from "./picture";
-import { asOne, lookAt, textOfScan, upload } from "./scan";
-import { ask, Connection, type LibraryFunction, post, Refusal } from "./server";
+import { ask, Connection, type LibraryFunction, Refusal } from "./server";
+import { documentIn, linkOf, reach } from "./share";
 import { emptySheet, writeSheet } from "./sheet";
 import { SheetView } from "./sheet_view";
 import { Store } from "./store";
 import { knowWords, TextView } from "./text_view";
 
-const MOST_TEXT = 1_000_000;
+const MOST_TEXT = 1_000_000, MOST_DOCUMENT = 4_000_000;
 const connection = new Connection(), store = new Store();
 const picture = new Picture(by("picture"), connection, "main"), above = new Picture(by("sheet"), connection, "sheet");
 const handles = new Handles(picture), machine = new MachineView(), text = new TextView(), sheet = new SheetView(above);
+const gallery = new Gallery({
+  get name() { return store.name; }, open, create, close,
+  flush: async () => { flushHistory(); await Promise.all([store.flush(), machine.flush()]); },
+});
 let kind: "" | "text" | "sheet" = "", made = "";
 
 // Themes
@@ -32,18 +39,27 @@ by("theme").onclick = () => {
 
 // The model
 
-function languageOf(name: string): string { return name.split(".").pop()!.toLowerCase(); }
+function language(): string { return kind === "sheet" ? "frep" : languageOf(store.name); }
 
-function show(model: string): void {
-  made = model;
-  const language = kind === "sheet" ? "frep" : languageOf(store.name);
-  if (new Blob([model]).size > MOST_TEXT) {
-    tell([], `The text has more than ${MOST_TEXT / 1e6} MB: it is saved, and not shown`);
+/** Returns the model as it is now; null if it is empty. */
+function model(): { text: string; language: string } | null {
+  return made.trim() ? { text: made, language: language() } : null;
+}
+
+function show(content: string): void {
+  const size = new Blob([content]).size;
+  made = size > MOST_TEXT ? "" : content;
+  const wanted = model();
+  machine.follow(wanted);
+  if (size > MOST_TEXT) {
+    picture.hold();
+    above.hold();
+    tell([], size > MOST_DOCUMENT && kind === "text"
+      ? `The text has ${short(size / 1e6)} MB: documents with more than ${MOST_DOCUMENT / 1e6} MB are not saved`
+      : `The text has ${short(size / 1e6)} MB: texts with more than ${MOST_TEXT / 1e6} MB are not shown`);
     return;
   }
-  const wanted = model.trim() ? { text: model, language } : null;
   picture.show(wanted);
-  machine.follow(wanted);
   if (kind === "sheet") above.show(wanted);
 }
 
@@ -66,12 +82,15 @@ picture.onPicture = (answer) => {
   machine.flat = answer.flat;
 };
 text.onChange = (now) => {
+  if (kind !== "text") return;
   store.change(now);
   keepHistory(store.name, () => text.history());
   show(now);
 };
-sheet.onText = show;
+// Results of a sheet's nodes may come when another document is open already.
+sheet.onText = (now) => { if (kind === "sheet") show(now); };
 sheet.onChange = (document) => {
+  if (kind !== "sheet") return;
   store.change(document);
   keepHistory(store.name, () => sheet.history());
 };
@@ -83,26 +102,23 @@ function showMachine(on: boolean): void {
   by("machine-view").hidden = !on;
   if (!on) machine.hide();
   else
-    void machine.open(store.name,
-      made.trim() ? { text: made, language: kind === "sheet" ? "frep" : languageOf(store.name) } : null);
+    void machine.open(store.name, model());
 }
 by("machine").onclick = () => showMachine(!isOn("machine"));
 
 // Documents
 
-store.onState = (state, message) => {
+store.onState = (state, why) => {
   const chip = by("saved");
-  const said = { saved: "Saved", saving: "Saving …", away: "Kept in this browser", conflict: "Changed elsewhere",
-    refused: "Not saved", none: "" }[state];
+  const words = { saved: "Saved", saving: "Saving …", away: "Kept in this browser", conflict: "Changed elsewhere",
+    refused: "Not saved", lost: "Only in this page", shown: "Not saved", none: "" }[state];
   chip.dataset.state = state;
-  chip.title = message;
-  chip.replaceChildren(said);
+  chip.title = why;
+  chip.replaceChildren(words);
   if (state === "conflict") {
-    const mine = element("button", {}, "Keep mine"), theirs = element("button", {}, "Take theirs");
-    mine.onclick = () => store.overwrite();
-    theirs.onclick = () => { store.forget(); void open(store.name); };
-    chip.append(" ", mine, " ", theirs);
-  } else if (state === "refused") chip.append(`: ${message}`);
+    const theirs = (): void => { store.forget(); void open(store.name); };
+    chip.append(" ", ...versions(() => store.overwrite(), theirs));
+  } else if (state === "refused" || state === "lost") chip.append(`: ${why}`);
 };
 
 connection.onState = (isOpen) => {
@@ -111,39 +127,51 @@ connection.onState = (isOpen) => {
     : "The server is away. Your changes are kept in this browser; the picture follows when it is back.";
 };
 
-function notice(words: string): void {
-  by("notice").hidden = !words;
-  by("notice-words").textContent = words;
-}
 by("close-notice").onclick = () => notice("");
+
+/** Enables what acts on a document. */
+function enable(on: boolean): void {
+  for (const each of ["undo", "redo", "machine", "share", "download"]) by<HTMLButtonElement>(each).disabled = !on;
+}
 
 function display(name: string, content: string, kept: History | null = null): void {
   const isSheet = languageOf(name) === "json";
   kind = isSheet ? "sheet" : "text";
+  made = "";
+  by("empty").hidden = true;
   by("text-view").hidden = isSheet;
   by("sheet-view").hidden = !isSheet;
   by("name").textContent = name;
   document.title = `${name} – fabserver`;
   history.replaceState(null, "", `#${encodeURIComponent(name)}`);
   picture.measure(false);
+  picture.aim(false);
   pressed(by("measure"), false);
   picture.show(null);
+  Object.assign(picture.camera, { mode: "shaded", section: null, z: 0 });
+  by<HTMLSelectElement>("mode").value = "shaded";
+  by<HTMLSelectElement>("section").value = "";
+  by("section-place").hidden = true;
   handles.follow([]);
   above.show(null);
   picture.fit();
   document.body.classList.add("has-document");
   showMachine(false);
+  sheet.showText(false);
+  enable(true);
   if (isSheet) {
-    showText(false);
     try {
       sheet.open(content, kept);
     } catch (error) {
-      kind = "text";  // shown unchanged, never written
+      kind = "";  // shown unchanged, never written
       by("text-view").hidden = false;
       by("sheet-view").hidden = true;
-      store.name = "";
+      enable(false);
+      store.close("shown", (error as Error).message);
       text.open(content, "json");
+      text.allow(false);
       text.mark([], (error as Error).message);
+      by("picture").classList.remove("stale");
     }
   } else {
     text.open(content, languageOf(name), kept);
@@ -151,200 +179,95 @@ function display(name: string, content: string, kept: History | null = null): vo
   }
 }
 
+/** Asks before changes are lost that neither the file nor the browser's storage takes. */
+async function mayLeave(): Promise<boolean> {
+  await store.flush();
+  return !store.atRisk || await question(
+    `The changes of “${store.name}” are not saved, and would be lost. Leave it?`, "Leave", "Stay") === 0;
+}
+
 async function open(name: string): Promise<void> {
   try {
     flushHistory();
+    if (!await mayLeave()) return;
     const content = await store.open(name), kept = await historyOf(name);
     display(name, content, kept);
     notice(kept && store.changedElsewhere
       ? `“${name}” was changed elsewhere: this is the newer version. Undo leads back to this browser's.` : "");
-    by<HTMLDialogElement>("gallery").close();
+    gallery.close();
   } catch (error) {
-    alert(error instanceof Refusal ? error.message : "The server is away");
+    await message(said(error));
+    if (!kind && !by<HTMLDialogElement>("gallery").open) void gallery.open();
   }
 }
 
 async function create(wanted: string, content: string): Promise<void> {
   const { documents } = await (await ask("/api/documents")).json();
-  const taken = new Set<string>(documents.map((each: { name: string }) => each.name));
-  const [, stem, end] = /^(.*?)(\.\w+)$/.exec(wanted)!;
-  let name = wanted;
-  for (let i = 2; taken.has(name); ++i) name = `${stem} ${i}${end}`;
+  const name = freeName(wanted, new Set<string>(documents.map((each: { name: string }) => each.name)));
   flushHistory();
+  if (!await mayLeave()) return;
   await Promise.all([store.create(name, content), forgetHistory(name)]);
   display(name, content);
   notice("");
-  by<HTMLDialogElement>("gallery").close();
+  gallery.close();
 }
 
-// The gallery: documents and examples. A picture is rendered when its entry becomes visible.
-
-async function modelOf(address: string, name: string): Promise<string> {
-  const content = await (await ask(address)).text();
-  return languageOf(name) === "json" ? JSON.parse(content).text ?? "" : content;
+/** Ends the work on the open document, which is removed or gets another name. */
+async function close(): Promise<void> {
+  showMachine(false);
+  await machine.close();
+  store.close();
+  kind = made = "";
+  picture.show(null);
+  above.show(null);
+  document.body.classList.remove("has-document");
+  by("name").textContent = "Documents";
+  by("empty").hidden = false;
+  document.title = "fabserver";
+  history.replaceState(null, "", location.pathname);
+  notice("");
+  enable(false);
 }
 
-let drawing: Promise<unknown> = Promise.resolve();
-const seen = new IntersectionObserver((entries) => {
-  for (const { isIntersecting, target } of entries) {
-    if (!isIntersecting) continue;
-    seen.unobserve(target);
-    const { address, name } = (target as HTMLElement).dataset, holder = target.querySelector(".thumb")!;
-    drawing = drawing.then(async () => {  // one at a time: the open model has priority
-      if (!by<HTMLDialogElement>("gallery").open) return;
-      const model = await modelOf(address!, name!);
-      if (!model.trim()) return;
-      const language = languageOf(name!) === "json" ? "frep" : languageOf(name!);
-      const answer = await ask("/api/picture",
-        { method: "POST", body: JSON.stringify({ text: model, language, width: 240, height: 160, smooth: true }) });
-      const flat = JSON.parse(answer.headers.get("Fieldfab-Picture")!).flat;
-      const image = element("img", { src: URL.createObjectURL(await answer.blob()), alt: "" });
-      if (flat) {  // white inside, black outside: a mask
-        const shape = element("span", { className: "mask" });
-        shape.style.maskImage = `url("${image.src}")`;
-        holder.replaceChildren(shape);
-      } else holder.replaceChildren(image);
-    }).catch(() => holder.replaceChildren());
-  }
-});
-
-function card(name: string, address: string, chosen: () => void): HTMLElement {
-  const isSheet = languageOf(name) === "json";
-  const made = element("button", { className: "card" }, element("span", { className: "thumb" }),
-    element("span", { className: "caption" }, name.replace(/\.(frep|json)$/, ""),
-      element("small", {}, isSheet ? "sheet" : languageOf(name))));
-  Object.assign(made.dataset, { address, name });
-  made.onclick = chosen;
-  seen.observe(made);
-  return made;
-}
-
-async function gallery(): Promise<void> {
-  const dialog = by<HTMLDialogElement>("gallery");
-  if (!dialog.open) dialog.showModal();
-  try {
-    const [{ documents }, { examples }] =
-      await Promise.all([(await ask("/api/documents")).json(), (await ask("/api/examples")).json()]);
-    by("documents").replaceChildren(...documents.filter((each: { name: string }) => !each.name.endsWith(".job")).map(
-      ({ name }: { name: string }) => card(name, `/api/documents/${encodeURIComponent(name)}`, () => void open(name))));
-    if (!documents.length) by("documents").append(element("p", { className: "quiet" }, "None yet."));
-    const sheetsFirst = (examples as string[])
-      .sort((a, b) => Number(b.endsWith(".json")) - Number(a.endsWith(".json")) || a.localeCompare(b));
-    by("examples").replaceChildren(...sheetsFirst.map((name) => {
-      const address = `/api/examples/${encodeURIComponent(name)}`;
-      return card(name, address, async () => void create(name, await (await ask(address)).text()));
-    }));
-  } catch (error) {
-    by("documents").replaceChildren(element("p", { className: "quiet" },
-      error instanceof Refusal ? error.message : "The server is away."));
-  }
-}
-
-by("open").onclick = () => void gallery();
-by("close-gallery").onclick = () => by<HTMLDialogElement>("gallery").close();
-by("new-text").onclick = () => void create("model.frep",
+const start = (wanted: string, content: string): void =>
+  void create(wanted, content).catch((error) => message(said(error)));
+by("open").onclick = by("open-empty").onclick = () => void gallery.open();
+by("new-text").onclick = () => start("model.frep",
   "size = 20  # 5 to 60, the side\nr = 6      # 1 to 20, the hole\n" +
   "rounded_box(size, size, size / 2, 2) - cylinder(r, size)\n");
-by("new-sheet").onclick = () => void create("sheet.json", writeSheet(emptySheet()));
-
-by("new-scan").onclick = () => by("scan-file").click();
-by<HTMLInputElement>("scan-file").onchange = async () => {
-  const input = by<HTMLInputElement>("scan-file"), button = by<HTMLButtonElement>("new-scan");
-  const files = [...input.files ?? []];
-  if (!files.length) return;
-  button.disabled = true;
-  try {
-    const { name: given, data } = await asOne(files, (share) => {
-      button.textContent = `Packing ${Math.round(100 * share)} %`;
-    });
-    const { name, note } = await upload(given, data, (share) => {
-      button.textContent = share < 1 ? `${Math.round(100 * share)} %` : "Reading …";
-    }).catch((error) => {
-      const there = /^there is a scan '(.+)' already$/.exec(error.message)?.[1];
-      if (!there || !confirm(`${error.message}. Take that one?`)) throw error;
-      return { name: there, note: "" };
-    });
-    button.textContent = "Reading …";
-    await create(name.replace(/(\.nii)?\.\w+$/, "") + ".frep", textOfScan(name, await lookAt(name), note));
-  } catch (error) {
-    alert(error instanceof Refusal ? error.message : "The server is away");
-  } finally {
-    input.value = "";
-    button.disabled = false;
-    button.textContent = "Scan …";
-  }
-};
-
-// Links that contain a model
-
-async function packed(content: string): Promise<string> {
-  const stream = new Blob([content]).stream().pipeThrough(new CompressionStream("deflate-raw"));
-  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  return btoa(Array.from(bytes, (each) => String.fromCharCode(each)).join("")).replaceAll("+", "-").replaceAll("/", "_")
-    .replaceAll("=", "");
-}
-
-async function unpacked(given: string): Promise<string> {
-  const bytes = Uint8Array.from(atob(given.replaceAll("-", "+").replaceAll("_", "/")), (each) => each.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).text();
-}
+by("new-sheet").onclick = () => start("sheet.json", writeSheet(emptySheet()));
 
 by("share").onclick = async () => {
-  const link = `${location.origin}/#share=${await packed(JSON.stringify({ name: store.name, text: store.text }))}`;
+  const link = await linkOf(store.name, store.text);
   try {
     await navigator.clipboard.writeText(link);
-    by("share").textContent = "Copied";
+    notice(`A link that holds this model is copied. ${reach()}`);
   } catch {
-    prompt("A link that holds this model:", link);
+    await questionOfText(`A link that holds this model. ${reach()}`, link, "Close");
   }
-  setTimeout(() => { by("share").textContent = "Share"; }, 1500);
 };
 
 async function begin(): Promise<void> {
+  enable(false);
+  by("empty").hidden = false;
   const known: Promise<[{ functions: LibraryFunction[]; words: { name: string }[] }, { formats: string[] }]> =
     Promise.all(["/api/library", "/api/documents"].map(async (each) => (await ask(each)).json())) as never;
   const [{ functions, words }, { formats }] = await known;
   knowWords(words.map((each) => each.name));
   sheet.know(functions);
-  by("download").append(...formats.map((each) => element("option", { value: each }, each.slice(1))));
+  offerFiles(formats, () => ({ text: made, language: language(), name: store.name }));
   const hash = location.hash.slice(1);
   if (hash.startsWith("share=")) {
-    try {
-      const { name, text: content } = JSON.parse(await unpacked(hash.slice(6)));
-      await create(/^[A-Za-z0-9][\w .+-]{0,80}\.(frep|json)$/.test(name) ? name : "shared.frep", String(content));
-    } catch {
-      alert("This link holds no model");
-      await gallery();
-    }
+    const given = await documentIn(hash);
+    history.replaceState(null, "", location.pathname);
+    if (!given) await message("This link holds no model");
+    else if (await question(`This link holds a model, “${given.name}”. Add it to the documents of this folder?`,
+      "Add it", "Leave it") === 0)
+      return create(given.name, given.text);
+    await gallery.open();
   } else if (hash) await open(decodeURIComponent(hash));
-  else await gallery();
+  else await gallery.open();
 }
-
-// Files
-
-by<HTMLSelectElement>("download").onchange = async () => {
-  const menu = by<HTMLSelectElement>("download"), extension = menu.value, first = menu.options[0];
-  menu.value = "";
-  if (!extension || !made.trim()) return;
-  try {
-    let job = await post<{ job: string; state: string; progress: number; error: { message: string } | null;
-      result: { certain?: boolean } }>(
-        "/api/files", { text: made, language: kind === "sheet" ? "frep" : languageOf(store.name), extension });
-    while (job.state === "waiting" || job.state === "working") {
-      first.textContent = `${extension.slice(1)}: ${Math.round(100 * job.progress)} %`;
-      job = await (await ask(`/api/jobs/${job.job}?state=${job.state}&progress=${job.progress}`)).json();
-    }
-    if (job.state !== "done") throw new Refusal(422, job.state, job.error?.message ?? "It was cancelled");
-    const download = store.name.replace(/\.\w+$/, "") + extension;
-    const link = element("a", { href: `/api/jobs/${job.job}/file?name=${encodeURIComponent(download)}`, download });
-    link.click();
-    if (job.result?.certain === false) alert("The file is written. It may lack parts that are thinner than its cells.");
-  } catch (error) {
-    alert(error instanceof Refusal ? error.message : "The server is away");
-  } finally {
-    first.textContent = "Download";
-  }
-};
 
 // Views and keys
 
@@ -359,7 +282,7 @@ by("fit-sheet").onclick = () => sheet.fit();
 by<HTMLSelectElement>("mode").onchange = () => {
   const was = picture.twoD;
   picture.camera.mode = by<HTMLSelectElement>("mode").value;
-  section();
+  section(null);
   if (was !== picture.twoD) picture.fit();
   else picture.ask();
 };
@@ -374,30 +297,41 @@ by("perspective").onclick = () => toggle("perspective", !isOn("perspective"), (o
   picture.ask();
 });
 by("measure").onclick = () => toggle("measure", !isOn("measure"), (on) => picture.measure(on));
-function section(): void {
-  const axis = by<HTMLSelectElement>("section").value;
-  const bar = by<HTMLInputElement>("section-at");
-  const i = "xyz".indexOf(axis);
-  const { bounds } = picture, share = Number(bar.value) / 1000;
-  const slice = picture.camera.mode === "bitmap" && !picture.flat;
-  bar.hidden = !axis && !slice;
-  picture.camera.z = slice && bounds ? bounds[2] + (bounds[5] - bounds[2]) * share : 0;
-  picture.camera.section = axis && bounds
-    ? { axis, at: bounds[i] + (bounds[i + 3] - bounds[i]) * share,
-      keep: axis === "y" ? "above" : "below" }
-    : null;
+let keep: "below" | "above" = "below"; // the side of the section plane that is shown
+
+/** Shows the section or the slice. `at`: its place, mm; null: where the slider is. */
+function section(at: number | null): void {
+  const axis = by<HTMLSelectElement>("section").value, { bounds, camera } = picture;
+  const bar = by<HTMLInputElement>("section-at"), number = by<HTMLInputElement>("section-number");
+  const slice = camera.mode === "bitmap" && !picture.flat, i = slice ? 2 : "xyz".indexOf(axis);
+  by("section-place").hidden = !axis && !slice;
+  by("section-flip").hidden = slice;
+  camera.z = 0;
+  camera.section = null;
+  if ((axis || slice) && bounds) {
+    const low = bounds[i], size = bounds[i + 3] - low;
+    if (at === null) {
+      at = low + size * Number(bar.value) / 1000;
+      number.value = short(at);
+    } else bar.value = String(1000 * (at - low) / size);
+    if (slice) camera.z = at;
+    else camera.section = { axis, at, keep };
+  }
   picture.ask();
 }
-by("section").onchange = by("section-at").oninput = section;
-
-/** Shows a sheet's generated text, read-only, in place of the inspector. */
-function showText(on: boolean): void {
-  pressed(by("show-text"), on);
-  by("sheet-view").classList.toggle("with-text", on);
-  by("made")?.remove();
-  if (on) by("sheet-view").append(element("pre", { id: "made" }, made));
-}
-by("show-text").onclick = () => showText(!isOn("show-text"));
+by("section").onchange = () => {
+  keep = by<HTMLSelectElement>("section").value === "y" ? "above" : "below"; // the side away from the eye at first
+  section(null);
+};
+by("section-at").oninput = () => section(null);
+by<HTMLInputElement>("section-number").onchange = () => {
+  const given = by<HTMLInputElement>("section-number");
+  section(given.value === "" ? null : given.valueAsNumber);
+};
+by("section-flip").onclick = () => {
+  keep = keep === "below" ? "above" : "below";
+  section(by<HTMLInputElement>("section-number").valueAsNumber);
+};
 
 by("undo").onclick = () => (kind === "sheet" ? sheet.undo() : text.undo());
 by("redo").onclick = () => (kind === "sheet" ? sheet.redo() : text.redo());
@@ -405,7 +339,13 @@ by("help").onclick = () => by<HTMLDialogElement>("keys").showModal();
 by("close-keys").onclick = () => by<HTMLDialogElement>("keys").close();
 addEventListener("keydown", (event) => {
   const target = event.target as HTMLElement, control = event.ctrlKey || event.metaKey;
-  if (control && event.key === "o") { event.preventDefault(); void gallery(); return; }
+  if (control && event.key === "o") { event.preventDefault(); void gallery.open(); return; }
+  if (event.key === "F8" && kind) {
+    event.preventDefault();
+    if (kind === "sheet") sheet.nextMistake();
+    else text.nextMistake();
+    return;
+  }
   if (target.closest(".cm-editor, input, select, textarea, dialog")) return;
   if (control && event.key.toLowerCase() === "z") {
     event.preventDefault();
@@ -449,6 +389,7 @@ if (!localStorage.getItem("fabserver hint")) {
   const close = element("button", { ariaLabel: "Close the hint" }, "✕");
   close.onclick = () => { localStorage.setItem("fabserver hint", "seen"); hint.remove(); };
   hint.append(close);
+  hint.onpointerdown = (event) => event.stopPropagation(); // the picture would take the click
   by("picture").append(hint);
 }
 

@@ -6,7 +6,10 @@ export class Palette {
   kinds: NodeKind[] = [];
   onKind: (kind: NodeKind) => void = () => {};
 
-  constructor() { by("find-node").oninput = () => this.list(); }
+  constructor() {
+    by("find-node").oninput = () => this.list();
+    by("close-palette").onclick = () => by<HTMLDialogElement>("palette").close();
+  }
 
   open(): void {
     by<HTMLInputElement>("find-node").value = "";

@@ -12,6 +12,12 @@ export interface Camera {
 
 type Point = [number, number, number];
 
+/** Inverse of turned(). */
+function turnedBack([x, y, z]: Point, { alpha, beta }: { alpha: number; beta: number }): Point {
+  const v = Math.cos(beta) * y + Math.sin(beta) * z, w = -Math.sin(beta) * y + Math.cos(beta) * z;
+  return [Math.cos(alpha) * x + Math.sin(alpha) * v, -Math.sin(alpha) * x + Math.cos(alpha) * v, w];
+}
+
 const MOST_PIXELS = 3_900_000;
 const AGAIN = 1000; // ms until a picture is asked for again that the server was too busy for
 
@@ -23,6 +29,7 @@ export function turned([x, y, z]: Point, { alpha, beta }: { alpha: number; beta:
 export class Picture {
   readonly canvas = element("canvas");
   readonly told = element("div", { className: "told" });
+  private readonly scaled = element("div", { className: "told scale" });
   readonly camera: Camera = { alpha: 0.5, beta: -0.95, perspective: 0, mode: "shaded", section: null,
     z: 0 };
   bounds: Box | null = null;
@@ -31,10 +38,15 @@ export class Picture {
   private offset: [number, number] = [0, 0]; // from the pivot, in the picture's plane, mm
   private pivot: Point = [0, 0, 0];
   private model: Model | null = null;
+  private wrong: Model | null = null; // the model, where its text has a mistake: the last good one is shown
+  private good: Model | null = null; // that of the picture
+  private sent = new Map<number, Model>(); // by the numbers of requests whose answers may come
+  private crosshair: [number, number] | null = null; // pixels; null: hidden
   private image: { bitmap: ImageBitmap; window: Window4; mode: string } | null = null;
   private number = 0;
   private asked = 0; // time of the request without a picture yet; 0: none
   private again = false;
+  private finished = false; // whether the picture is the last one of its request
   private fitting = true;
   private fitted = 0; // number of the request that fits the model; answers to others do not
   private measured: Point[] = [];
@@ -46,7 +58,8 @@ export class Picture {
   onPicture: (answer: Answer) => void = () => {};
 
   constructor(readonly host: HTMLElement, private connection: Connection, private name: string) {
-    host.append(this.canvas, this.told);
+    this.told.setAttribute("role", "status");
+    host.append(this.canvas, this.told, this.scaled);
     connection.listeners.set(name, (answer) => { this.taken = this.taken.then(() => this.take(answer)); });
     connection.onOpen.push(() => { this.asked = 0; this.ask(); });
     new ResizeObserver(() => { this.draw(); this.ask(); }).observe(host);
@@ -65,12 +78,19 @@ export class Picture {
 
   show(model: Model | null): void {
     this.model = model;
+    this.wrong = null;
+    if (this.measured.length || !this.measuring) this.measure(this.measuring); // what was picked is of another model
     if (model === null) {
-      this.image = null;
+      this.image = this.good = null;
+      this.bounds = null;
+      this.scaled.textContent = "";
       this.draw();
       this.onError(null);
     } else this.ask();
   }
+
+  /** Keeps the last good picture in place of a model that cannot be asked for. */
+  hold(): void { this.model = this.wrong = { text: "", language: "" }; }
 
   fit(): void {
     this.fitting = true;
@@ -115,20 +135,53 @@ export class Picture {
     return [w / 2 + (u - x) / this.scale, h / 2 - (v - y) / this.scale];
   }
 
+  /** Maps a point of the model to the picture's plane, mm (the kernel's perspective: camera.cpp). */
+  project(point: Point): [number, number] {
+    if (this.twoD || this.fixed) return [point[0], point[1]];
+    const [u, v, z] = turned(point, this.camera), eye = this.eye();
+    if (!eye) return [u, v];
+    const near = 1 - (z - eye.centre[2]) / eye.distance;
+    return [eye.centre[0] + (u - eye.centre[0]) / near, eye.centre[1] + (v - eye.centre[1]) / near];
+  }
+
+  /** Returns the point of the model that is seen at a point of the picture's plane, in the plane of constant depth
+   * (`along`: "view") or constant z ("z") through another point; null if they do not meet. */
+  through(u: number, v: number, point: Point, along: "view" | "z"): Point | null {
+    const eye = this.eye(), centre = eye?.centre ?? [0, 0, 0], distance = eye?.distance ?? Infinity;
+    const at = (depth: number): Point => {
+      const near = 1 - (depth - centre[2]) / distance;
+      return turnedBack([centre[0] + (u - centre[0]) * near, centre[1] + (v - centre[1]) * near, depth], this.camera);
+    };
+    const depth = turned(point, this.camera)[2];
+    if (along === "view") return at(depth);
+    const z0 = at(depth)[2], slope = at(depth + 1)[2] - z0; // z depends linearly on the depth
+    return Math.abs(slope) > 0.1 ? at(depth + (point[2] - z0) / slope) : null;
+  }
+
+  /** Returns the centre of the model in the view, and the eye's distance from it; null for a parallel view. */
+  private eye(): { centre: Point; distance: number } | null {
+    const { perspective } = this.camera, { bounds } = this;
+    if (!perspective || !bounds) return null;
+    const [x0, y0, z0, x1, y1, z1] = bounds;
+    return { centre: turned([(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2], this.camera),
+      distance: Math.hypot(x1 - x0, y1 - y0, z1 - z0) / 2 / Math.sin(perspective / 2) };
+  }
+
   /** Requests a picture of the visible window; waits for the first answer to an earlier request. */
   ask(): void {
-    const [width, height] = this.size;
-    if (!this.model || width < 8 || height < 8) return;
+    const [width, height] = this.size, model = this.model === this.wrong ? this.good : this.model;
+    if (!model || width < 8 || height < 8) return;
     if (this.asked && performance.now() - this.asked < 25_000) {
       this.again = true;
       return;
     }
     const ratio = Math.min(devicePixelRatio || 1, 2, Math.sqrt(MOST_PIXELS / (width * height)));
     const sent = this.connection.send({
-      number: ++this.number, view: this.name, ...this.model, ...this.camera, coarse: true, smooth: true,
+      number: ++this.number, view: this.name, ...model, ...this.camera, coarse: true, smooth: true,
       width: Math.min(4096, Math.round(width * ratio)), height: Math.min(4096, Math.round(height * ratio)),
       window: this.fitting ? null : this.window(), near: this.fitting ? null : this.bounds,
     });
+    this.sent.set(this.number, model);
     this.fitted = this.fitting ? this.number : 0;
     this.asked = sent ? performance.now() : 0;
     this.again = false;
@@ -139,7 +192,10 @@ export class Picture {
   private taken: Promise<void> = Promise.resolve();
 
   private async take(answer: Answer): Promise<void> {
-    if (answer.type === "parameters") return this.onParameters(answer);
+    const of = this.sent.get(answer.number), isNow = of === this.model;
+    if (answer.number === this.number)
+      for (const number of this.sent.keys()) if (number < answer.number) this.sent.delete(number);
+    if (answer.type === "parameters") return isNow ? this.onParameters(answer) : undefined;
     if (answer.type === "picture" && answer.image) {
       const bitmap = await createImageBitmap(answer.image);
       if (answer.number < this.number && answer.quality !== "coarse") return;
@@ -147,22 +203,29 @@ export class Picture {
       if (this.fitting && answer.number === this.fitted && this.bounds) this.adopt(answer.window!);
       this.image = { bitmap: answer.mode === "bitmap" ? await this.tinted(bitmap) : bitmap, window: answer.window!,
         mode: answer.mode! };
+      if (of) this.good = of;
       this.draw();
       this.host.dataset.quality = answer.quality;
+      this.finished = answer.last === true;
       this.host.dataset.shown = String(answer.number);
-      const waited = performance.now() - this.asked;
-      if (answer.quality === "coarse" && this.asked)
-        this.told.textContent = `${short(this.scale, 3)} mm a pixel · ${Math.round(waited)} ms`;
-      this.onError(null);
+      this.scaled.textContent = `${short(this.scale, 3)} mm per pixel`;
+      if (isNow) this.onError(null);
       this.onPicture(answer);
     } else if (answer.type === "error") {
-      this.onError(answer);
+      if (isNow) this.onError(answer);
       if (answer.kind === "busy" && answer.number === this.number) setTimeout(() => this.ask(), AGAIN);
+      else if (isNow && of && answer.kind === "bad_input") this.showGood(of);
     }
     if (answer.number === this.number) {
       this.asked = 0;
       if (this.again) this.ask();
     }
+  }
+
+  /** After a mistake: finishes the picture of the text before it, which its newer text interrupted. */
+  private showGood(wrong: Model): void {
+    this.wrong = wrong;
+    this.again ||= this.good !== null && this.good !== wrong && !this.finished;
   }
 
   private adopt(window: Window4): void {
@@ -208,6 +271,7 @@ export class Picture {
       context.drawImage(this.image.bitmap, left, top, right - left, bottom - top);
     }
     this.drawMeasured(context);
+    this.drawCrosshair(context);
   }
 
   private drawGrid(context: CanvasRenderingContext2D): void {
@@ -233,10 +297,26 @@ export class Picture {
     }
   }
 
+  private drawCrosshair(context: CanvasRenderingContext2D): void {
+    if (!this.crosshair) return;
+    const [x, y] = this.crosshair.map((each) => Math.round(each) + 0.5);
+    const style = getComputedStyle(document.documentElement);
+    for (const [colour, width] of [["--panel", 4], ["--accent", 2]] as const) {
+      context.strokeStyle = style.getPropertyValue(colour);
+      context.lineWidth = width;
+      context.beginPath();
+      for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+        context.moveTo(x + 4 * dx, y + 4 * dy);
+        context.lineTo(x + 16 * dx, y + 16 * dy);
+      }
+      context.stroke();
+    }
+  }
+
   private drawMeasured(context: CanvasRenderingContext2D): void {
     if (!this.measured.length) return;
     const flat = (place: Point): [number, number] => {
-      const [u, v] = this.twoD ? place : turned(place, this.camera);
+      const [u, v] = this.project(place);
       return this.pixel(u, v);
     };
     const pixels = this.measured.map(flat);
@@ -258,17 +338,19 @@ export class Picture {
     this.measuring = on;
     this.measured = [];
     this.host.classList.toggle("measuring", on);
-    this.told.textContent = on ? "Click two points of the model" : "";
+    this.told.textContent = on ? "Click two points of the model, or show the crosshair (C)" : "";
     this.draw();
   }
 
   private async pick(px: number, py: number): Promise<void> {
+    const model = this.model === this.wrong ? this.good : this.model;
+    if (!model) return;
     try {
-      const { text, language } = this.model!, { alpha, beta, mode, section, z } = this.camera;
+      const { text, language } = model, { alpha, beta, perspective, mode, section, z } = this.camera;
       const found = await post<{ place: Point | null; value: number | null; part: string | null }>(
-        "/api/pick", { text, language, alpha, beta, mode, section, z, at: this.place(px, py) });
+        "/api/pick", { text, language, alpha, beta, perspective, mode, section, z, at: this.place(px, py) });
       if (!found.place) { this.told.textContent = "Nothing is there"; return; }
-      if (this.measuring && this.camera.perspective === 0)
+      if (this.measuring)
         this.measured = [...this.measured.slice(this.measured.length === 2 ? 2 : 0), found.place];
       const [a, b] = this.measured, shown = found.place.map((each) => short(each)).join(", ");
       const way = a && b ? a.map((each, i) => b[i] - each) : [];
@@ -359,12 +441,30 @@ export class Picture {
     this.host.addEventListener("pointercancel", up);
   }
 
+  /** Shows or hides the crosshair, by which keys pick and measure. */
+  aim(on: boolean): void {
+    const [w, h] = this.size;
+    this.crosshair = on ? [w / 2, h / 2] : null;
+    this.host.dataset.crosshair = String(on);
+    this.draw();
+  }
+
+  private moveCrosshair([dx, dy]: [number, number], far: boolean): void {
+    const [w, h] = this.size, step = far ? 40 : 4, [x, y] = this.crosshair!;
+    this.crosshair = [Math.min(w, Math.max(0, x + step * dx)), Math.min(h, Math.max(0, y + step * dy))];
+    this.draw();
+  }
+
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || event.target !== this.host) return;
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
       ArrowDown: [0, 1] };
     const way = arrows[event.key];
-    if (way)
+    if (event.key.toLowerCase() === "c" && !this.fixed) this.aim(!this.crosshair);
+    else if (this.crosshair && way) this.moveCrosshair(way, event.shiftKey);
+    else if (this.crosshair && event.key === "Enter") void this.pick(...this.crosshair);
+    else if (this.crosshair && event.key === "Escape") this.aim(false);
+    else if (way)
       (this.twoD || this.fixed || event.shiftKey) ? this.pan(20 * way[0], 20 * way[1])
         : this.turn(10 * way[0], 10 * way[1]);
     else if (event.key === "+" || event.key === "=") this.zoom(0.8);

@@ -24,7 +24,7 @@ export async function asOne(files: File[], progress: (share: number) => void): P
 
 /** Uploads a scan. Returns its name in the folder, and a remark. Throws Refusal, or TypeError if the server cannot be
  * reached. */
-export function upload(name: string, data: Blob, progress: (share: number) => void):
+export function upload(name: string, data: Blob, progress: (share: number) => void, signal: AbortSignal):
     Promise<{ name: string; note: string }> {
   return new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();  // fetch reports no progress
@@ -36,6 +36,8 @@ export function upload(name: string, data: Blob, progress: (share: number) => vo
       try { told = JSON.parse(request.responseText).error; } catch { /* not JSON: a proxy's answer */ }
       reject(new Refusal(request.status, told.kind, told.message));
     };
+    request.onabort = () => reject(signal.reason);
+    signal.addEventListener("abort", () => request.abort());
     request.onerror = () => reject(new TypeError("the server is away"));
     request.send(data);
   });

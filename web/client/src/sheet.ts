@@ -30,9 +30,9 @@ export function readSheet(text: string): Sheet {
   try {
     given = JSON.parse(text);
   } catch (error) {
-    throw new Error(`This is no sheet: ${(error as Error).message}`);
+    throw new Error(`This is not a sheet: ${(error as Error).message}`);
   }
-  if (given?.format !== "fieldfab sheet") throw new Error("This .json file is no sheet of fabserver");
+  if (given?.format !== "fieldfab sheet") throw new Error("This .json file is not a sheet of fabserver");
   if (typeof given.version !== "number" || given.version > VERSION)
     throw new Error(`This sheet is of version ${given.version}; this page knows version ${VERSION}. ` +
       "It is left as it is: open it with a newer Fieldfab");
@@ -41,7 +41,7 @@ export function readSheet(text: string): Sheet {
     if (!Number.isInteger(node.id) || ids.has(node.id) || typeof node.code !== "string" ||
         typeof node.name !== "string" || !Number.isFinite(node.x) || !Number.isFinite(node.y) ||
         !Array.isArray(node.parents))
-      throw new Error("This sheet has a node that is none");
+      throw new Error("A node of this sheet has no number of its own, or no name, place, code or links");
     ids.add(node.id);
     node.values ??= {};
   }
@@ -50,7 +50,7 @@ export function readSheet(text: string): Sheet {
   for (const each of sheet.groups) {
     if (!Number.isInteger(each.id) || ids.has(each.id) || typeof each.name !== "string" ||
         !Number.isFinite(each.x) || !Number.isFinite(each.y) || typeof each.open !== "boolean")
-      throw new Error("This sheet has a group that is none");
+      throw new Error("A group of this sheet has no number of its own, or no name, place or state");
     ids.add(each.id);
   }
   checkGroups(sheet);
@@ -71,7 +71,7 @@ export function inOrder(sheet: Sheet): SheetNode[] {
       if (next < node.parents.length) {
         ++top[1];
         const parent = byId.get(node.parents[next])!;
-        if (under.has(parent.id)) throw new Error("The nodes of this sheet go round in a circle");
+        if (under.has(parent.id)) throw new Error("The links of this sheet make a cycle: a node depends on itself");
         if (!done.has(parent.id)) { under.add(parent.id); stack.push([parent, 0]); }
       } else {
         done.add(node.id);

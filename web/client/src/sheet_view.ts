@@ -5,6 +5,7 @@ import { around, copies, isGroup, type Item, makeGroup, membersOf, nextId, openG
   shownItems, toCopy, toggle, ungroup, withMembers } from "./groups";
 import type { History } from "./history";
 import { kindsOf, type NodeKind, saveKind } from "./library";
+import { menu } from "./menu";
 import { Palette } from "./palette";
 import type { Picture } from "./picture";
 import { dragRectangle, linkBetween } from "./sheet_drawing";
@@ -12,7 +13,7 @@ import { Sandbox } from "./sandbox";
 import type { LibraryFunction, Mistake } from "./server";
 import { emptySheet, type Group, makesCircle, Past, readSheet, type Result, type Sheet, type SheetNode, textOf,
   writeSheet } from "./sheet";
-import { codeEditor, markLine } from "./text_view";
+import { codeEditor, MadeText, markLine, showMistake } from "./text_view";
 
 const PORTS = 15; // pixels between the inputs of a closed group
 
@@ -30,6 +31,7 @@ export class SheetView {
   private inspected = "";
   private palette = new Palette();
   private mistakes = new Map<number, string>();
+  private made = new MadeText(by("made"));
   onText: (text: string) => void = () => {};
   onChange: (document: string) => void = () => {};
 
@@ -49,14 +51,16 @@ export class SheetView {
       this.sheet.snap = Number(by<HTMLSelectElement>("snap").value);
       this.settle();
     };
-    by<HTMLSelectElement>("groups").onchange = () => {
-      const menu = by<HTMLSelectElement>("groups"), wanted = menu.value;
-      menu.value = "";
-      this.picture.host.focus();
-      if (wanted === "group") this.group();
-      else if (wanted === "toggle") this.toggle();
-      else if (wanted === "ungroup") this.ungroup();
-    };
+    menu(by("groups"), () => [
+      { words: "Group the chosen nodes", keys: "Ctrl+G", act: () => this.group() },
+      { words: "Expand or collapse", keys: "E", act: () => this.toggle() },
+      { words: "Ungroup", keys: "Ctrl+Shift+G", act: () => this.ungroup() },
+    ].map((each) => ({ ...each, act: () => { this.picture.host.focus(); each.act(); } })));
+    by("show-text").onclick = () => this.showText(!this.made.isShown);
+    by("inspector").addEventListener("keydown", (event) => {
+      // In the editor of the code Escape and Tab lead on, as the list of keys says.
+      if (event.key === "Escape" && !(event.target as HTMLElement).closest(".cm-editor")) this.picture.host.focus();
+    });
     picture.host.addEventListener("keydown", (event) => this.key(event), true);
     picture.host.addEventListener("pointerdown", (event) => {
       if (event.target !== picture.canvas) return;
@@ -64,6 +68,12 @@ export class SheetView {
       else this.choose([]);
     }, true);
     new ResizeObserver(() => this.place()).observe(picture.host);
+  }
+
+  /** Shows the text that the sheet makes, beside the inspector. */
+  showText(on: boolean): void {
+    pressed(by("show-text"), on);
+    this.made.show(on, this.sheet.text);
   }
 
   know(functions: LibraryFunction[]): void { this.palette.kinds = kindsOf(functions); }
@@ -133,6 +143,7 @@ export class SheetView {
     const { text, nodes } = textOf(sheet, results);
     this.lines = nodes;
     this.sheet.text = text;
+    this.made.follow(text);
     const first = [...this.mistakes][0];
     this.tell(first ? `${this.nameOf(first[0])}: ${first[1]}`
       : text || !sheet.nodes.length ? null : "No node makes a shape yet: add one that does (+ Node)",
@@ -151,6 +162,7 @@ export class SheetView {
 
   /** Marks the nodes that caused errors of the generated text. */
   mark(mistakes: Mistake[], message: string | null): void {
+    this.made.mark(mistakes);
     for (const [id, said] of [...this.mistakes]) if (said.startsWith("its text: ")) this.mistakes.delete(id);
     for (const each of mistakes) {
       const id = this.lines[each.line - 1];
@@ -162,10 +174,7 @@ export class SheetView {
   }
 
   private tell(message: string | null, node: number | null): void {
-    const box = by("sheet-message");
-    box.hidden = message === null;
-    box.textContent = message ?? "";
-    box.onclick = () => { if (node !== null) this.reveal(node); };
+    showMistake(by("sheet-message"), message, node === null ? null : () => this.reveal(node));
     if (message !== null && node !== null) this.mistakes.set(node, message.replace(/^[^:]*: /, ""));
     const wrong = new Set(this.sheet.nodes.filter((each) => this.mistakes.has(each.id))
       .map((each) => shownAs(this.sheet, each)));
@@ -175,6 +184,14 @@ export class SheetView {
       const said = this.mistakes.get(this.code.node) ?? null;
       markLine(this.code.editor, this.results.get(this.code.node)?.line ?? null, said);
     }
+  }
+
+  /** Goes to the node with the next mistake, after the last one to the first. */
+  nextMistake(): void {
+    const wrong = this.sheet.nodes.map((node) => node.id).filter((id) => this.mistakes.has(id));
+    const at = this.chosen.size === 1 ? wrong.indexOf([...this.chosen][0]) : -1;
+    if (wrong.length) this.reveal(wrong[(at + 1) % wrong.length]);
+    this.picture.host.focus();
   }
 
   // A change is shown at once; it becomes an undo step when it is complete.
@@ -382,7 +399,8 @@ export class SheetView {
   private link(from: number, to: number): void {
     const node = this.sheet.nodes.find((each) => each.id === to)!;
     if (node.parents.includes(from)) return;
-    if (makesCircle(this.sheet, from, to)) return this.tell("That link would go round in a circle", null);
+    if (makesCircle(this.sheet, from, to))
+      return this.tell("That link would make a cycle: a node cannot take what depends on itself", null);
     node.parents.push(from);
     this.draw();
     this.choose([shownAs(this.sheet, node)]);
@@ -547,6 +565,8 @@ export class SheetView {
     else if (event.key === "e") this.toggle();
     else if (event.key === "l" && chosen.length === 1) this.linkByKey(chosen[0]);
     else if (event.key === " " && chosen.length) this.pinned = new Set(this.chosen);
+    else if (event.key === "Enter" && by("inspector").querySelector("input"))
+      by("inspector").querySelector<HTMLInputElement>("input")!.select();
     else if (event.key === "Escape") this.choose([]);
     else if (event.key === "Tab" && items.length && (chosen.length || !event.shiftKey)) {
       const last = [...this.chosen].pop(), at = items.findIndex((item) => item.id === last);

@@ -7,11 +7,11 @@ import { bracketMatching, HighlightStyle, indentOnInput, StreamLanguage,
   syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { EditorState, type Extension } from "@codemirror/state";
+import { Compartment, EditorState, type Extension } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap,
   lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
-import { by, slider } from "./elements";
+import { by, element, slider } from "./elements";
 import { type History, MOST } from "./history";
 import { Histogram } from "./scan";
 import { type Mistake, type Parameter, post } from "./server";
@@ -83,7 +83,62 @@ function common(changed: (text: string, byHand: boolean) => void): Extension[] {
   ];
 }
 
+/** Marks errors of a text in its editor. */
+function markIn(editor: EditorView, mistakes: Mistake[]): void {
+  const end = editor.state.doc.length;
+  editor.dispatch(setDiagnostics(editor.state, mistakes.map((each) => {
+    const from = Math.min(each.offset, end);
+    return { from, to: Math.min(end, from + Math.max(1, each.length)), severity: "error" as const,
+      message: each.message };
+  })));
+}
+
+/** Shows a mistake in its box: as a button, if there is a place to go to. */
+export function showMistake(box: HTMLElement, words: string | null, go: (() => void) | null): void {
+  box.hidden = words === null;
+  if (words !== null && box.textContent === words && Boolean(go) === Boolean(box.querySelector("button"))) {
+    if (go) box.querySelector("button")!.onclick = go;
+    return; // the same: keeps the focus
+  }
+  const line = go ? element("button", { title: "Go there (F8)" }, words ?? "") : element("p", {}, words ?? "");
+  if (go) line.onclick = go;
+  box.replaceChildren(...(words === null ? [] : [line]));
+}
+
+/** The text that a sheet makes, which follows its changes. */
+export class MadeText {
+  private editor: EditorView | null = null;
+  private mistakes: Mistake[] = [];
+
+  constructor(private host: HTMLElement) {}
+
+  get isShown(): boolean { return !this.host.hidden; }
+
+  show(on: boolean, text: string): void {
+    this.host.hidden = !on;
+    this.editor?.destroy();
+    this.editor = null;
+    if (!on) return;
+    this.editor = new EditorView({ parent: this.host, state: EditorState.create({ doc: text, extensions: [
+      ...common(() => {}), frep, lintGutter(), EditorState.readOnly.of(true),
+      EditorView.contentAttributes.of({ "aria-readonly": "true" })] }) });
+    markIn(this.editor, this.mistakes);
+  }
+
+  follow(text: string): void {
+    if (!this.editor || this.editor.state.doc.toString() === text) return;
+    this.editor.dispatch({ changes: { from: 0, to: this.editor.state.doc.length, insert: text } });
+  }
+
+  mark(mistakes: Mistake[]): void {
+    this.mistakes = mistakes;
+    if (this.editor) markIn(this.editor, mistakes);
+  }
+}
+
 export class TextView {
+  private readOnly = new Compartment();
+  private mistakes: Mistake[] = [];
   readonly editor: EditorView;
   private parameters: Parameter[] = [];
   private rows = "";
@@ -97,6 +152,11 @@ export class TextView {
 
   private quiet = false;
 
+  /** Whether the text can be changed. */
+  allow(changes: boolean): void {
+    this.editor.dispatch({ effects: this.readOnly.reconfigure(EditorState.readOnly.of(!changes)) });
+  }
+
   private state(text: string, plain: boolean): EditorState {
     return EditorState.create({ doc: text, extensions: this.extensions(plain) });
   }
@@ -108,6 +168,7 @@ export class TextView {
         if (!this.quiet) this.onChange(now);
       }),
       ...(plain ? [] : [frep, autocompletion({ override: [complete] })]), lintGutter(),
+      this.readOnly.of(EditorState.readOnly.of(false)),
     ];
   }
 
@@ -154,24 +215,26 @@ export class TextView {
 
   /** Marks errors of the text in the editor. */
   mark(mistakes: Mistake[], message: string | null): void {
-    const end = this.editor.state.doc.length;
-    const found = mistakes.map((each) => {
-      const from = Math.min(each.offset, end);
-      return { from, to: Math.min(end, from + Math.max(1, each.length)), severity: "error" as const,
-        message: each.message };
-    });
-    this.editor.dispatch(setDiagnostics(this.editor.state, found));
-    const box = by("message");
-    box.hidden = message === null;
-    const first = mistakes[0];
-    const others = mistakes.length > 1 ? ` (and ${mistakes.length - 1} more)` : "";
-    box.textContent = message === null ? ""
-      : first ? `Line ${first.line}, column ${first.column}: ${first.message}${others}` : message;
-    box.onclick = () => {
-      if (!first) return;
-      this.editor.dispatch({ selection: { anchor: Math.min(first.offset, end) }, scrollIntoView: true });
-      this.editor.focus();
-    };
+    this.mistakes = mistakes;
+    markIn(this.editor, mistakes);
+    const first = mistakes[0], others = mistakes.length > 1 ? ` (and ${mistakes.length - 1} more)` : "";
+    showMistake(by("message"),
+      first ? `Line ${first.line}, column ${first.column}: ${first.message}${others}` : message,
+      first ? () => this.go(first) : null);
+  }
+
+  private go(mistake: Mistake): void {
+    const anchor = Math.min(mistake.offset, this.editor.state.doc.length);
+    this.editor.dispatch({ selection: { anchor }, scrollIntoView: true });
+    this.editor.focus();
+  }
+
+  /** Goes to the mistake after the cursor, after the last one to the first. */
+  nextMistake(): void {
+    const at = this.editor.state.selection.main.head;
+    const sorted = [...this.mistakes].sort((a, b) => a.offset - b.offset);
+    const next = sorted.find((each) => each.offset > at) ?? sorted[0];
+    if (next) this.go(next);
   }
 
   /** Shows sliders for the parameters of the text in the editor. */
