@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/vdb.h"
@@ -122,7 +123,7 @@ class InfoVerb final : public Verb {
     auto parts = nlohmann::ordered_json::array();
     for (const Solid& solid : model.parts) {
       Outcome part;
-      const SolidBounds found = solid_bounds(*solid.field, progress);
+      const SolidBounds found = exact_bounds(*solid.field, progress);
       const std::string bounds = tell_bounds(found, part);
       part.line =
           fmt::format("\n  {}: {}{}", printable(solid.name), solid.colour ? text_of(*solid.colour) + ", " : "", bounds);
@@ -135,6 +136,12 @@ class InfoVerb final : public Verb {
     outcome.json["parts"] = std::move(parts);
     return outcome;
   }
+  /// The bounds for people, who expect -20..20 of a box of 40 mm.
+  static SolidBounds exact_bounds(const Field& field, Progress& progress) {
+    SolidBounds found = solid_bounds(field, progress);
+    if (!found.empty && found.is_bounded()) found.box = tight_bounds(field, found.box, progress);
+    return found;
+  }
   /// Returns the bounds as a text, and adds them to the JSON.
   static std::string tell_bounds(const SolidBounds& found, Outcome& outcome) {
     if (found.empty) {
@@ -143,6 +150,10 @@ class InfoVerb final : public Verb {
     }
     std::string bounds;
     auto ranges = nlohmann::ordered_json::array();
+    const double size = found.is_bounded() ? found.box.size().maxCoeff() : 1;
+    const auto shown = [unit = std::pow(10, std::floor(std::log10(size)) - 5)](double end) {
+      return std::round(end / unit) * unit + 0.0;  // 0 instead of -1e-06
+    };
     for (int axis = 0; axis < 3; ++axis) {
       const char name = "xyz"[axis];
       if (found.bounded[axis])
@@ -151,7 +162,7 @@ class InfoVerb final : public Verb {
         ranges.push_back(nullptr);
       if (axis > 0) bounds += ' ';
       bounds += found.bounded[axis]
-                    ? fmt::format("{} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
+                    ? fmt::format("{} {:.4g}..{:.4g}", name, shown(found.box.lower[axis]), shown(found.box.upper[axis]))
                     : fmt::format("{} unbounded", name);
     }
     outcome.json["bounds"] = ranges;
@@ -160,7 +171,7 @@ class InfoVerb final : public Verb {
   Outcome frep_info(const Solid& solid, Progress& progress) const {
     const std::size_t nodes = frep::node_count(solid.expression),
                       simplified = frep::node_count(frep::simplify(solid.expression));
-    const SolidBounds found = solid_bounds(*solid.field, progress);
+    const SolidBounds found = exact_bounds(*solid.field, progress);
     Outcome outcome;
     outcome.json = {{"file", file_}, {"kind", solid.kind}, {"nodes", nodes}, {"simplified", simplified}};
     const std::string bounds = tell_bounds(found, outcome);
@@ -177,7 +188,7 @@ class InfoVerb final : public Verb {
     outcome.json.update(json_of(measures));
   }
   Outcome design_info(const Solid& solid, const std::vector<std::string>& notes, Progress& progress) const {
-    const SolidBounds found = solid_bounds(*solid.field, progress);
+    const SolidBounds found = exact_bounds(*solid.field, progress);
     const Vec3 &a = found.box.lower, &b = found.box.upper;
     const bool flat = !found.bounded[2];
     const auto formula = std::dynamic_pointer_cast<const OpenedSolid>(solid.expression.source());

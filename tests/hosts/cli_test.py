@@ -101,6 +101,13 @@ def test_info_and_check_give_bounds_of_volume_and_area(ball, tmp_path):
     assert any(row["name"] == "volume beyond what its Field proves" for row in report["rows"])
 
 
+def test_info_gives_the_bounds_that_people_expect(tmp_path):
+    (tmp_path / "box.frep").write_text("move(box(40, 30, 10), 0, 0, 5)")
+    assert "x -20..20 y -15..15 z 0..10," in run("info", tmp_path / "box.frep").stdout
+    told = summary("info", tmp_path / "box.frep")["bounds"]
+    assert told == [pytest.approx(ends, abs=2e-5) for ends in ([-20, 20], [-15, 15], [0, 10])]
+
+
 def test_render_modes(ball, tmp_path):
     for mode, channels, depth in (("bitmap", 1, 8), ("height", 1, 16), ("normals", 3, 8), ("shaded", 3, 8)):
         summary("render", ball, "-o", tmp_path / "p.png", "--mode", mode, "--size", 80, "--alpha", 20, "--beta", -30)

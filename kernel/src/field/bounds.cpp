@@ -146,8 +146,8 @@ SolidBounds solid_bounds(const Field& field, Progress& progress) {
 
 namespace {
 
-constexpr double finest = 0x1p-23;    // of a box's size: the distance at which a face is near enough
-constexpr int most_suspects = 4'000;  // for each face
+constexpr double finest = 0x1p-23;            // of a box's size: the distance at which a face is near enough
+constexpr std::size_t most_suspects = 4'000;  // for each face
 
 /// Finds how far the solid reaches in `within` along sign * axis: no less than it does, and as little more as intervals
 /// show. The suspect that reaches farthest is examined next. Its outer half is cut off if it is empty, and its inner
@@ -159,8 +159,9 @@ double nearest_reach(const FieldPtr& field, const Box& within, int axis, double 
   double known = -std::numeric_limits<double>::infinity();  // how far the solid reaches at least
   std::priority_queue<Suspect> suspects;
   suspects.push({within, field, reach_of(within), 0});
-  for (int tried = 0; tried < most_suspects && !suspects.empty(); ++tried) {
-    if (tried % 64 == 0) progress.check();
+  const std::size_t most = std::min(most_suspects, most_work / (field->cost() + 1));
+  for (std::size_t tried = 0; tried < most && !suspects.empty(); ++tried) {
+    progress.check();
     Suspect next = suspects.top();
     if (next.reach - known <= near_enough) break;
     suspects.pop();
