@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include "bindings.h"
+#include "fieldfab/cam/base/tool_library.h"
 #include "fieldfab/cam/job/stage.h"
 #include "fieldfab/cam/machine/machine.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::python {
@@ -58,6 +60,20 @@ cam::Kind kind_of(const std::string& name) {
   throw Error(ErrorKind::bad_input, "kind", "nothing in the workflow is called " + name);
 }
 
+/// A tool with the keys of job files (docs/cam.md); what is not known is left out.
+py::dict dict_of(const cam::Tool& tool) {
+  py::dict d;
+  d["number"] = tool.number, d["name"] = tool.name, d["shape"] = cam::name_of(tool.shape), d["flutes"] = tool.flutes;
+  const auto add = [&](const char* key, double value) {
+    if (value > 0) d[key] = value;
+  };
+  add("diameter", tool.diameter), add("corner_radius", tool.corner_radius), add("angle", to_degrees(tool.angle));
+  add("tip_diameter", tool.tip_diameter), add("flute", tool.flute), add("length", tool.length);
+  add("shank", tool.shank), add("holder_diameter", tool.holder_diameter), add("holder_length", tool.holder_length);
+  add("feed", tool.feed), add("plunge", tool.plunge), add("spindle", tool.spindle);
+  return d;
+}
+
 }  // namespace
 
 void bind_workflow(py::module_& module) {
@@ -75,6 +91,17 @@ void bind_workflow(py::module_& module) {
       "and "
       "`needs`, "
       "the setting without which it means nothing, with the values that one must have.");
+  module.def(
+      "read_tools",
+      [](const std::filesystem::path& path) {
+        py::list tools;
+        for (const cam::Tool& tool : cam::read_tool_library(path)) tools.append(dict_of(tool));
+        return tools;
+      },
+      py::arg("path"),
+      "Returns the tools of a library or a tool bit of FreeCAD's (.fctl, .fctb), or of Fusion's library (.json), each "
+      "as "
+      "a dict with the keys of job files. Kinds of tools that are not known are left out.");
   module.def(
       "chain",
       [](const std::string& kind, const std::string& operation) {

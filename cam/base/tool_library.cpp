@@ -1,4 +1,4 @@
-#include "tool_library.h"
+#include "fieldfab/cam/base/tool_library.h"
 
 #include <fmt/format.h>
 

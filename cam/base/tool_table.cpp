@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "fieldfab/cam/base/tool_library.h"
 #include "fieldfab/cam/base/tool_solid.h"
 #include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
-#include "tool_library.h"
 
 namespace fieldfab::cam {
 

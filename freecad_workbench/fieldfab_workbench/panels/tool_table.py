@@ -1,11 +1,13 @@
 """Table of the tools of a CAM set-up, and all numbers of the selected tool below it."""
 
-from .. import tool_bits, units
+from .. import tool_library, units
 from ..objects import cam_setup, cam_tool
-from ..shim import QtWidgets
+from ..shim import QtCore, QtWidgets
 from ..words import PROPERTY, marked, property_label, tr
 from .choices import offer
 from .measures import MeasureBox
+from .tool_library_dialog import ToolLibraryDialog
+from .tool_picture import icon
 
 MORE = ("CornerRadius", "Angle", "TipDiameter", "Flute", "StickOut", "Shank", "HolderDiameter", "HolderLength",
         "Flutes", "Feed", "Plunge", "Spindle")
@@ -35,8 +37,8 @@ class ToolTable(QtWidgets.QWidget):
         column.addWidget(self.table)
         buttons = QtWidgets.QHBoxLayout()
         for words, tip, action in ((tr("Add"), tr("A new end mill"), self.add),
-                                   (tr("From file…"), tr("Tool bits (.fctb) or libraries (.fctl) of FreeCAD"),
-                                    self.ask),
+                                   (tr("Library…"), tr("Your tools, for all documents"), self.open_library),
+                                   (tr("Keep"), tr("Puts the chosen tool into your library"), self.keep),
                                    (tr("Remove"), tr("The chosen tool"), self.remove)):
             button = QtWidgets.QPushButton(words)
             button.setToolTip(tip)
@@ -69,6 +71,8 @@ class ToolTable(QtWidgets.QWidget):
                     self.table.setCellWidget(line, place, shape)
                 else:
                     item = QtWidgets.QTableWidgetItem(value if place == 1 else f"{value:.6g}")
+                    if place == 1 and tool.Diameter.Value > 0:
+                        item.setIcon(icon(cam_tool.described(tool)))
                     self.table.setItem(line, place, item)
         self.table.blockSignals(False)
         if self.setup.Tools:
@@ -154,22 +158,24 @@ class ToolTable(QtWidgets.QWidget):
             self.fill()
             self.changed()
 
-    def ask(self):
-        paths, kind = QtWidgets.QFileDialog.getOpenFileNames(
-            self, tr("Tools"), "", tr("FreeCAD's tool bits and libraries (*.fctb *.fctl)"))
-        self.take_files(paths)
+    def open_library(self):
+        self.library = ToolLibraryDialog(self.take, self)
+        self.library.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.library.show()
 
-    def take_files(self, paths):
-        """Adds the tools of tool bits and libraries. Reports the tools that could not be read."""
-        problems = []
-        for path in paths:
-            try:
-                tools, notes = tool_bits.read(path)
-                problems += notes
-                for tool in tools:
-                    cam_tool.add(self.setup, tool)
-            except (ValueError, OSError) as error:
-                problems.append(str(error))
+    def keep(self):
+        tool = self.chosen()
+        if tool is None:
+            return
+        try:
+            new = tool_library.keep([cam_tool.described(tool)])
+        except (ValueError, OSError) as error:
+            return self.say(str(error))
+        self.say("" if new else tr("The library has this tool already"))
+
+    def take(self, tools):
+        """Adds tools, given with the names of job files."""
+        for tool in tools:
+            cam_tool.add(self.setup, tool)
         self.fill(len(self.setup.Tools) - 1)
-        self.say("\n".join(problems))
         self.changed()

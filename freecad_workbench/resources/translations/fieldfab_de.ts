@@ -2927,6 +2927,50 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{count} Einzelbilder liegen in {folder}</translation>
     </message>
     <message>
+        <source>Tool library</source>
+        <translation>Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>Tools of FreeCAD or Fusion (*.fctb *.fctl *.json)</source>
+        <translation>Werkzeuge von FreeCAD oder Fusion (*.fctb *.fctl *.json)</translation>
+    </message>
+    <message>
+        <source>Add to job</source>
+        <translation>Zum Job hinzufügen</translation>
+    </message>
+    <message>
+        <source>The chosen tools; a double click adds one</source>
+        <translation>Die ausgewählten Werkzeuge; ein Doppelklick fügt eines hinzu</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
+    </message>
+    <message>
+        <source>Tools of FreeCAD (.fctb, .fctl) or Fusion (.json)</source>
+        <translation>Werkzeuge von FreeCAD (.fctb, .fctl) oder Fusion (.json)</translation>
+    </message>
+    <message>
+        <source>The chosen tools leave the library; jobs keep theirs</source>
+        <translation>Die ausgewählten Werkzeuge verlassen die Bibliothek; Jobs behalten ihre</translation>
+    </message>
+    <message>
+        <source>The library is empty: import tools, or keep those of a job</source>
+        <translation>Die Bibliothek ist leer: importieren Sie Werkzeuge oder behalten Sie die eines Jobs</translation>
+    </message>
+    <message>
+        <source>{count} tools added to the job</source>
+        <translation>{count} Werkzeuge zum Job hinzugefügt</translation>
+    </message>
+    <message>
+        <source>{name} added to the job</source>
+        <translation>{name} zum Job hinzugefügt</translation>
+    </message>
+    <message>
+        <source>{count} tools imported</source>
+        <translation>{count} Werkzeuge importiert</translation>
+    </message>
+    <message>
         <source>⌀ {unit}</source>
         <translation>⌀ {unit}</translation>
     </message>
@@ -2935,24 +2979,32 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>ein Durchmesser muss über 0 liegen</translation>
     </message>
     <message>
-        <source>FreeCAD's tool bits and libraries (*.fctb *.fctl)</source>
-        <translation>FreeCADs Werkzeuge und Werkzeugbibliotheken (*.fctb *.fctl)</translation>
-    </message>
-    <message>
         <source>A new end mill</source>
         <translation>Ein neuer Schaftfräser</translation>
     </message>
     <message>
-        <source>From file…</source>
-        <translation>Aus Datei …</translation>
+        <source>Library…</source>
+        <translation>Bibliothek…</translation>
     </message>
     <message>
-        <source>Tool bits (.fctb) or libraries (.fctl) of FreeCAD</source>
-        <translation>Werkzeuge (.fctb) oder Werkzeugbibliotheken (.fctl) von FreeCAD</translation>
+        <source>Your tools, for all documents</source>
+        <translation>Ihre Werkzeuge, für alle Dokumente</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Puts the chosen tool into your library</source>
+        <translation>Legt das ausgewählte Werkzeug in Ihre Bibliothek</translation>
     </message>
     <message>
         <source>The chosen tool</source>
         <translation>Das gewählte Werkzeug</translation>
+    </message>
+    <message>
+        <source>The library has this tool already</source>
+        <translation>Die Bibliothek hat dieses Werkzeug schon</translation>
     </message>
     <message>
         <source>tool number {number} is already in use</source>
@@ -3049,6 +3101,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{name}: there is no such file beside the library</source>
         <translation>{name}: Neben der Bibliothek gibt es keine solche Datei</translation>
+    </message>
+    <message>
+        <source>{path} is of another version</source>
+        <translation>{path} ist von einer anderen Version</translation>
     </message>
     <message>
         <source>must be a number</source>

@@ -212,9 +212,13 @@ def test_operations_and_tools_are_added_moved_and_removed(document):
     box.setChecked(True)
     live(0.2)
     [table] = seen(ToolTable)
-    table.take_files([os.path.join(BITS, "6mm_Ball_End.fctb"), os.path.join(BITS, "probe.fctb")])
+    click("Library\N{HORIZONTAL ELLIPSIS}")
+    table.library.take_files([os.path.join(BITS, "6mm_Ball_End.fctb"), os.path.join(BITS, "probe.fctb")])
+    assert "probe" in table.library.message.text()
+    click("Add to job")
+    table.library.close()
     live(0.2)
-    assert [t.Label for t in setup.Tools] == ["3 mm end mill", "6mm Ball End"] and "probe" in table.message.text()
+    assert [t.Label for t in setup.Tools] == ["3 mm end mill", "6mm Ball End"]
     window.shot("cam_tools")
     [first] = [b for b in seen(QtWidgets.QPushButton, "Remove") if b.parent() is table]
     first.click()
