@@ -64,9 +64,16 @@ Artifact outline_of_solid(const Artifact& in, const Values& values, Context& con
   if (solid.flat || is_set(values, "slice")) {
     const double z = is_set(values, "slice") ? values.number("slice") : 0;
     loops = slice_of(*solid.field, bounds.grown(cell), cell, z, context);
-  } else {
+  } else if (!solid.field->sampled() && !solid.field->faceted() && has_quick_silhouette(solid.field, *solid.bounds)) {
     const FieldPtr seen = silhouette(solid.field, solid.bounds->lower.z(), solid.bounds->upper.z());
     loops = slice_of(*seen, bounds.grown(cell), cell, 0, context);
+  } else {
+    // The contact of a thin needle from above, on the lattice of heights.
+    const auto surface = Surface::of(*solid.field, *solid.bounds, {cell, std::min(cell / 4, 0.02)}, context.progress);
+    note_doubtful(*surface, context);
+    const auto needle = std::make_shared<TipSurface>(surface, Profile(0, 0, 0, 1e-6));
+    loops = contours(*TipSurface::field(needle), bounds.grown(cell), {cell, 0, -(surface->floor() + 1e-3)},
+                     context.progress);
   }
   if (loops.empty())
     throw Error(ErrorKind::bad_input, "outline",

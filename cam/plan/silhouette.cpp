@@ -21,10 +21,11 @@ struct Piece {
   bool operator<(const Piece& other) const { return least > other.least; }  // the lowest comes first
 };
 
-/// The least value on a vertical line, and where it is.
+/// The least value on a vertical line, where it is, and how many pieces of the line were looked at.
 struct Least {
   float value;
   double z;
+  int pieces = 0;
 };
 
 class Silhouette final : public Field {
@@ -81,20 +82,16 @@ class Silhouette final : public Field {
   [[nodiscard]] bool sampled() const noexcept override { return solid_->sampled(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return 20 * solid_->cost(); }
 
- private:
-  [[nodiscard]] Box column(Box box) const {
-    box.lower.z() = low_, box.upper.z() = high_;
-    return box;
-  }
-
   [[nodiscard]] Least least(float x, float y) const noexcept {
-    Least best{std::numeric_limits<float>::infinity(), low_};
+    Least best{std::numeric_limits<float>::infinity(), low_, 0};
     std::priority_queue<Piece> open;
     const auto add = [&](double low, double high) {
+      ++best.pieces;
       const Interval values = solid_->interval({{x, y, low}, {x, y, high}});
       if (!(values.lower < best.value)) return;
       const double z = (low + high) / 2;
-      if (const auto value = static_cast<float>(solid_->value({x, y, z})); value < best.value) best = {value, z};
+      if (const auto value = static_cast<float>(solid_->value({x, y, z})); value < best.value)
+        best.value = value, best.z = z;
       open.push({low, high, values.lower});
     };
     add(low_, high_);
@@ -102,12 +99,18 @@ class Silhouette final : public Field {
       const Piece next = open.top();
       if (next.least >= best.value - share * std::abs(best.value) - smallest) break;
       if (tried >= most_pieces)
-        return best.value < 0 || next.least > 0 ? best : Least{std::min(next.least, -smallest), best.z};
+        return best.value < 0 || next.least > 0 ? best : Least{std::min(next.least, -smallest), best.z, best.pieces};
       open.pop();
       const double middle = (next.low + next.high) / 2;
       add(next.low, middle), add(middle, next.high);
     }
     return best;
+  }
+
+ private:
+  [[nodiscard]] Box column(Box box) const {
+    box.lower.z() = low_, box.upper.z() = high_;
+    return box;
   }
 
   FieldPtr solid_;
@@ -118,6 +121,21 @@ class Silhouette final : public Field {
 
 FieldPtr silhouette(FieldPtr solid, double low, double high) {
   return std::make_shared<Silhouette>(std::move(solid), low, high);
+}
+
+bool has_quick_silhouette(const FieldPtr& solid, const Box& bounds) {
+  constexpr int lines = 12;  // along each side
+  constexpr double most_pieces_of_one = 30;
+  constexpr double most_work = 50'000;  // operations for a line
+  const Silhouette seen(solid, bounds.lower.z(), bounds.upper.z());
+  double pieces = 0;
+  for (int i = 0; i < lines; ++i)
+    for (int j = 0; j < lines; ++j) {
+      const Vec3 at = bounds.lower + bounds.size().cwiseProduct(Vec3((i + 0.3) / lines, (j + 0.6) / lines, 0));
+      pieces += seen.least(static_cast<float>(at.x()), static_cast<float>(at.y())).pieces;
+    }
+  const double one = pieces / (lines * lines);
+  return one <= most_pieces_of_one && one * static_cast<double>(solid->cost()) <= most_work;
 }
 
 }  // namespace fieldfab::cam

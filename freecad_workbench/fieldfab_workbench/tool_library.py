@@ -1,5 +1,5 @@
-"""The user's tool library: a file in FreeCAD's folder of user data, for all documents. A tool is {name: value} as in job
-files (docs/cam.md), without a number."""
+"""The user's tool library: a file in FreeCAD's folder of user data, for all documents. A tool is {name: value} as in
+job files (docs/cam.md), without a number."""
 
 import json
 import os

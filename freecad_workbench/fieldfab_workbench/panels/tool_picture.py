@@ -11,7 +11,7 @@ UNKNOWN_FLUTE, UNKNOWN_LENGTH = 3, 5  # in diameters, where the tool does not te
 def outline(tool):
     """Returns the right half of the cutting part: points (distance from the axis, height above the tip), upwards."""
     radius, shape = tool["diameter"] / 2, tool.get("shape", "flat")
-    corner = {"ball": radius, "bull": tool.get("corner_radius", 0), "tapered": tool.get("corner_radius", 0)}.get(shape, 0)
+    corner = radius if shape == "ball" else tool.get("corner_radius", 0) if shape in ("bull", "tapered") else 0
     if shape in ("v", "drill"):
         tip, slope = tool.get("tip_diameter", 0) / 2, math.tan(math.radians(tool.get("angle", 60) / 2)) or 1e-3
         return [(tip, 0), (radius, (radius - tip) / slope)]
