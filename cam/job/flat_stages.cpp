@@ -173,7 +173,8 @@ Artifact face_stage(const Artifact& in, const Values& values, Context& context) 
   else if (solid.flat)
     throw Error(ErrorKind::bad_input, values.place("depth"), "the part is flat: give the depth to face");
   else
-    depths.bottom = solid.bounds->upper.z() + values.number("allowance");
+    depths.bottom =
+        tight_bounds(*solid.field, *solid.bounds, context.progress).upper.z() + values.number("allowance");
   if (!(depths.bottom < depths.top - 1e-9))
     throw Error(ErrorKind::bad_input, values.place("depth"),
                 "the stock is no higher than the part: there is nothing to face; give a depth");

@@ -161,7 +161,7 @@ class JobReader {
                    fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
     Box box = found.box;
     if (flat) box.lower.z() = box.upper.z() = 0;
-    return solid_of(field, "part", tight_bounds(*field, box, progress_), flat);
+    return solid_of(field, "part", box, flat);
   }
 
   /// One model, or several: together as they are, or arranged on a sheet.
@@ -194,7 +194,7 @@ class JobReader {
     Vec3 move = Vec3::Zero();
     if (const auto by = input.list("move")) move = vector_of(input, "move", 0, *by);
     // Position of the program's zero on the part.
-    const Box b = *solid.bounds;
+    const Box b = tight_bounds(*solid.field, *solid.bounds, progress_);
     if (const auto given = input.value("zero"); given && std::holds_alternative<std::vector<double>>(*given)) {
       move -= vector_of(input, "zero", 0, *input.list("zero"));
     } else {

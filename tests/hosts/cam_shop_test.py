@@ -13,6 +13,7 @@ JOB = """
 machine = "linuxcnc"
 [input]
 model = "part.frep"
+{bounds}
 [stock]
 {stock}
 [[tool]]
@@ -26,6 +27,13 @@ V = 'shape = "v"\ndiameter = 8\nangle = 90\nflute = 10'
 FLAT = 'diameter = {}\nflute = 30'
 
 
+def job_text(part, **more):
+    """Returns a job for a part whose first box is its outline: found bounds would be a little wider than it."""
+    box = re.search(r"box\((\d+), (\d+), (\d+)\)", part)
+    half = [int(size) / 2 for size in box.groups()] if box else None
+    return JOB.format(bounds=f"bounds = {[-h for h in half] + half}" if half else "", **more)
+
+
 def stock(x, y, low, high):
     """The table of a stock around the origin; margins are about the part's bounds, which are a little wider than it."""
     return f'coordinates = "model"\nlower = [{-x / 2}, {-y / 2}, {low}]\nupper = [{x / 2}, {y / 2}, {high}]'
@@ -33,7 +41,7 @@ def stock(x, y, low, high):
 
 def cut(folder, part, operation, tool, stock):
     """Returns the simulated stock's mesh and the program."""
-    path = job(folder, JOB.format(operation=operation, tool=tool, stock=stock), part_frep=part)
+    path = job(folder, job_text(part, operation=operation, tool=tool, stock=stock), part_frep=part)
     run("cam", path, "-o", folder / "out.ngc")
     run("simulate", folder / "out.ngc", "--setup", path, "-o", folder / "stock.stl", check=False)
     return ff.Mesh.load(folder / "stock.stl"), (folder / "out.ngc").read_text()
@@ -48,10 +56,11 @@ def test_facing_leaves_the_parts_top(tmp_path, more):
 
 
 def test_facing_without_anything_above_the_part(tmp_path):
-    path = job(tmp_path, JOB.format(operation='type = "face"', tool=FLAT.format(12), stock=stock(46, 36, -5, 5)),
+    path = job(tmp_path, job_text("box(40, 30, 10)", operation='type = "face"', tool=FLAT.format(12),
+                                  stock=stock(46, 36, -5, 5)),
                part_frep="box(40, 30, 10)")
     assert "nothing to face" in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
-    path = job(tmp_path, JOB.format(operation='type = "face"', tool=FLAT.format(12), stock="thickness = 3"),
+    path = job(tmp_path, job_text("", operation='type = "face"', tool=FLAT.format(12), stock="thickness = 3"),
                part_frep="rectangle(40, 30)")
     assert "give the depth" in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
 
@@ -76,7 +85,7 @@ def test_outlines_of_solids_are_as_exact_as_slices(tmp_path):
     """Without a slice the outline is the part's silhouette: arcs and lines, no stairs."""
     moves = {}
     for how in ("", "slice = 0\n"):
-        path = job(tmp_path, JOB.format(operation='type = "engrave"\n' + how, tool=FLAT.format(3),
+        path = job(tmp_path, job_text(PLATE, operation='type = "engrave"\n' + how, tool=FLAT.format(3),
                                         stock=stock(40, 30, -4, 4)), part_frep=PLATE)
         run("cam", path, "-o", tmp_path / "out.ngc")
         at, kinds, _ = rs274.moves_of_program(tmp_path / "out.ngc")
@@ -87,7 +96,7 @@ def test_outlines_of_solids_are_as_exact_as_slices(tmp_path):
 
 
 def test_a_chamfer_wider_than_its_tool(tmp_path):
-    path = job(tmp_path, JOB.format(operation='type = "chamfer"\nwidth = 4', tool=V, stock=stock(40, 30, -5, 5)),
+    path = job(tmp_path, job_text("", operation='type = "chamfer"\nwidth = 4', tool=V, stock=stock(40, 30, -5, 5)),
                part_frep="box(40, 30, 10)")
     assert "the tool's radius is 4 mm" in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
 
@@ -102,7 +111,7 @@ def test_engraving_follows_the_outline(tmp_path):
 def test_drilling_cycles_drill_what_single_moves_drill(tmp_path, machine, peck):
     programs, volumes, deepest = [], [], []
     for cycles in ("true", "false"):
-        text = JOB.format(operation=f'type = "drill"\n{peck}', tool=FLAT.format(3), stock=stock(40, 30, -4, 4))
+        text = job_text(PLATE, operation=f'type = "drill"\n{peck}', tool=FLAT.format(3), stock=stock(40, 30, -4, 4))
         path = job(tmp_path, text.replace('"linuxcnc"', f'"{machine}"') + f"[setting]\ncycles = {cycles}\n",
                    part_frep=PLATE)
         run("cam", path, "-o", tmp_path / "out.ngc")
@@ -122,7 +131,7 @@ def test_drilling_cycles_drill_what_single_moves_drill(tmp_path, machine, peck):
 
 
 def test_a_thread_is_a_helix(tmp_path):
-    path = job(tmp_path, JOB.format(operation='type = "thread"\npitch = 1\ndiameter = 6', tool=FLAT.format(3.6),
+    path = job(tmp_path, job_text("", operation='type = "thread"\npitch = 1\ndiameter = 6', tool=FLAT.format(3.6),
                                     stock=stock(40, 30, -4, 4)),
                part_frep="difference(box(40, 30, 8), move(cylinder(2.5, 30), 7, 4, 0), "
                          "move(cylinder(4, 30), -8, 0, 0))")
@@ -132,7 +141,7 @@ def test_a_thread_is_a_helix(tmp_path):
     assert len(arcs) >= 16, program
     xs = [float(x) for line in arcs for x in re.findall(r"X(-?[\d.]+)", line)]
     assert min(xs) == pytest.approx(7 - 1.2, abs=0.02) and max(xs) == pytest.approx(7 + 1.2, abs=0.02)
-    path = job(tmp_path, JOB.format(operation='type = "thread"\npitch = 1\ndiameter = 12', tool=FLAT.format(3.6),
+    path = job(tmp_path, job_text("", operation='type = "thread"\npitch = 1\ndiameter = 12', tool=FLAT.format(3.6),
                                     stock=stock(40, 30, -4, 4)),
                part_frep="difference(box(40, 30, 8), cylinder(2.5, 30))")
     assert "no " in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr

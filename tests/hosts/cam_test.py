@@ -516,9 +516,9 @@ def test_planes_are_refused_where_a_machine_cannot(tmp_path):
                part_frep=BLOCK)
     assert "needs a length" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
     path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "front").replace(
-        "length = 40", "length = 2"), part_frep=BLOCK)
+        "length = 40", "length = 2.5"), part_frep=BLOCK)
     done = run("cam", path, "-o", tmp_path / "o", check=False)
-    assert done.returncode == 2 and "reaches 2 mm" in done.stderr
+    assert done.returncode == 2 and "reaches 2.5 mm" in done.stderr
 
 
 def test_a_three_axis_machine_stops_for_turning_the_part(tmp_path):
