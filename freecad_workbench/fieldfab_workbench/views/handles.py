@@ -90,7 +90,6 @@ class Handles:
 
     def close(self):
         for sensor in self._sensors:
-            sensor.unschedule()  # a change that it still has to tell of would find its node gone
             sensor.detach()
         if self._root is not None and is_there(self._document):
             self._scene.removeChild(self._root)
