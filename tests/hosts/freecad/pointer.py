@@ -41,7 +41,8 @@ def drag(widget, begin, end, steps=8):
 def drag_arrow(document, arrows, number, by):
     """Drags one of a panel's arrows (views.handles.Handles) by `by` mm along its way."""
     handle, view = arrows.arrows[number][0], PartView(document)
-    place, widget = handle.start() + handle.along * (handle.read() * handle.rate + handles.GRIP * arrows.size), view.widget()
+    away, widget = handle.read() * handle.rate + handles.GRIP * arrows.size, view.widget()
+    place = handle.start() + handle.along * away
     scale = view.view.getSize()[0] / widget.width()  # screen pixels per Qt pixel
     ends = [view.pixel_of(place + handle.along * way) for way in (0, by)]
     drag(widget, *(QtCore.QPoint(round(x / scale), round(widget.height() - y / scale)) for x, y in ends))
