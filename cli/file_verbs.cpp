@@ -142,6 +142,13 @@ class InfoVerb final : public Verb {
     if (!found.empty && found.is_bounded()) found.box = tight_bounds(field, found.box, progress);
     return found;
   }
+  /// The bounds along an axis, to a millionth of the size: 0 instead of -1e-06.
+  static std::string range_text(const SolidBounds& found, int axis) {
+    const double size = found.is_bounded() ? found.box.size().maxCoeff() : found.box.size()[axis];
+    const double unit = size > 0 ? std::pow(10, std::floor(std::log10(size)) - 5) : 1;
+    const auto shown = [unit](double end) { return std::round(end / unit) * unit + 0.0; };
+    return fmt::format("{} {:.4g}..{:.4g}", "xyz"[axis], shown(found.box.lower[axis]), shown(found.box.upper[axis]));
+  }
   /// Returns the bounds as a text, and adds them to the JSON.
   static std::string tell_bounds(const SolidBounds& found, Outcome& outcome) {
     if (found.empty) {
@@ -150,10 +157,6 @@ class InfoVerb final : public Verb {
     }
     std::string bounds;
     auto ranges = nlohmann::ordered_json::array();
-    const double size = found.is_bounded() ? found.box.size().maxCoeff() : 1;
-    const auto shown = [unit = std::pow(10, std::floor(std::log10(size)) - 5)](double end) {
-      return std::round(end / unit) * unit + 0.0;  // 0 instead of -1e-06
-    };
     for (int axis = 0; axis < 3; ++axis) {
       const char name = "xyz"[axis];
       if (found.bounded[axis])
@@ -161,9 +164,7 @@ class InfoVerb final : public Verb {
       else
         ranges.push_back(nullptr);
       if (axis > 0) bounds += ' ';
-      bounds += found.bounded[axis]
-                    ? fmt::format("{} {:.4g}..{:.4g}", name, shown(found.box.lower[axis]), shown(found.box.upper[axis]))
-                    : fmt::format("{} unbounded", name);
+      bounds += found.bounded[axis] ? range_text(found, axis) : fmt::format("{} unbounded", name);
     }
     outcome.json["bounds"] = ranges;
     return bounds;
@@ -200,9 +201,8 @@ class InfoVerb final : public Verb {
     outcome.json["bounds"] = {{a.x(), b.x()}, {a.y(), b.y()}};
     outcome.json["bounds"].push_back(flat ? nlohmann::ordered_json() : nlohmann::ordered_json{a.z(), b.z()});
     outcome.json["notes"] = notes;
-    outcome.line = fmt::format("{}: OpenSCAD design, {}, x {:.4g}..{:.4g} y {:.4g}..{:.4g}", file_,
-                               flat ? "flat" : "solid", a.x(), b.x(), a.y(), b.y());
-    if (!flat) outcome.line += fmt::format(" z {:.4g}..{:.4g}", a.z(), b.z());
+    outcome.line = fmt::format("{}: OpenSCAD design, {}, ", file_, flat ? "flat" : "solid");
+    for (int axis = 0; axis < (flat ? 2 : 3); ++axis) outcome.line += (axis > 0 ? " " : "") + range_text(found, axis);
     tell_measures(*solid.field, found, outcome, progress);
     return outcome;
   }

@@ -64,7 +64,7 @@ Artifact outline_of_solid(const Artifact& in, const Values& values, Context& con
   if (solid.flat || is_set(values, "slice")) {
     const double z = is_set(values, "slice") ? values.number("slice") : 0;
     loops = slice_of(*solid.field, bounds.grown(cell), cell, z, context);
-  } else if (!solid.field->sampled() && !solid.field->faceted() && has_quick_silhouette(solid.field, *solid.bounds)) {
+  } else if (has_quick_silhouette(solid.field, *solid.bounds)) {
     const FieldPtr seen = silhouette(solid.field, solid.bounds->lower.z(), solid.bounds->upper.z());
     loops = slice_of(*seen, bounds.grown(cell), cell, 0, context);
   } else {

@@ -56,14 +56,15 @@ Setting stepover_setting(double standard, const std::string& of) {
   return s;
 }
 
-Artifact profile_stage(const Artifact& in, const Values& values, Context& context) {
+Side side_of(const Values& values) {
   const std::string& side = values.text("side");
+  return side == "outside" ? Side::outside : side == "inside" ? Side::inside : Side::on;
+}
+
+Artifact profile_stage(const Artifact& in, const Values& values, Context& context) {
   const Tabs tabs{static_cast<int>(values.number("tabs")), values.number("tab_width"), values.number("tab_height")};
   PlannedCuts cuts;
-  cuts.paths = profile(std::get<Outline>(in),
-                       side == "outside"  ? Side::outside
-                       : side == "inside" ? Side::inside
-                                          : Side::on,
+  cuts.paths = profile(std::get<Outline>(in), side_of(values),
                        cut_of(values, context, depths_of(values, context.stock)), tabs, context.progress);
   return cuts;
 }
@@ -173,8 +174,7 @@ Artifact face_stage(const Artifact& in, const Values& values, Context& context) 
   else if (solid.flat)
     throw Error(ErrorKind::bad_input, values.place("depth"), "the part is flat: give the depth to face");
   else
-    depths.bottom =
-        tight_bounds(*solid.field, *solid.bounds, context.progress).upper.z() + values.number("allowance");
+    depths.bottom = tight_bounds(*solid.field, *solid.bounds, context.progress).upper.z() + values.number("allowance");
   if (!(depths.bottom < depths.top - 1e-9))
     throw Error(ErrorKind::bad_input, values.place("depth"),
                 "the stock is no higher than the part: there is nothing to face; give a depth");
@@ -211,9 +211,8 @@ Artifact chamfer_stage(const Artifact& in, const Values& values, Context& contex
   depths.bottom = depths.top - (width + beyond) / std::tan(context.tool.angle / 2);
   CutSettings cut = cut_of(values, context, depths);
   cut.radius = beyond;
-  const Side side = values.text("side") == "outside" ? Side::outside : Side::inside;
   PlannedCuts cuts;
-  cuts.paths = profile(std::get<Outline>(in), side, cut, {}, context.progress);
+  cuts.paths = profile(std::get<Outline>(in), side_of(values), cut, {}, context.progress);
   cuts.inside_first = false;
   if (cuts.paths.empty())
     throw Error(ErrorKind::bad_input, "chamfer", "the part has no outline on this side that the tool can follow");

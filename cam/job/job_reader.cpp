@@ -194,11 +194,11 @@ class JobReader {
     Vec3 move = Vec3::Zero();
     if (const auto by = input.list("move")) move = vector_of(input, "move", 0, *by);
     // Position of the program's zero on the part.
-    const Box b = tight_bounds(*solid.field, *solid.bounds, progress_);
     if (const auto given = input.value("zero"); given && std::holds_alternative<std::vector<double>>(*given)) {
       move -= vector_of(input, "zero", 0, *input.list("zero"));
     } else {
       zero_ = input.text("zero").value_or("model");
+      const Box b = zero_ == "model" ? *solid.bounds : tight_bounds(*solid.field, *solid.bounds, progress_);
       if (zero_ == "corner")
         move -= Vec3(b.lower.x(), b.lower.y(), b.upper.z());
       else if (zero_ == "centre")

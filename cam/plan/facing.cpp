@@ -8,8 +8,8 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr double beyond =
-    0.5;  ///< way of the tool's edge beyond the stock, at the ends of a pass and at the last one, mm
+/// Way of the tool's edge beyond the stock, at the ends of a pass and at the last one, mm.
+constexpr double beyond = 0.5;
 
 /// A level pass in the direction of the axes u and v.
 struct Pass {
@@ -41,13 +41,14 @@ std::vector<Path> face(const Rectangle& stock, const FaceSettings& settings, con
   const double stepover = std::min(settings.stepover, 2 * cut.radius);
   // The stock that is left is on the side of v: on the right of a tool that moves against u.
   const bool against = cut.climb;
+  const std::vector<Pass> passes = passes_over(stock, cut.radius, stepover, u, v);
   std::vector<Path> paths;
   int level = 0;
   for (const double z : cut.depths.passes()) {
     Path zigzag;
     zigzag.level = level++;
     bool turned = against;
-    for (const Pass& pass : passes_over(stock, cut.radius, stepover, u, v)) {
+    for (const Pass& pass : passes) {
       const Vec2 &from = turned ? pass.to : pass.from, &to = turned ? pass.from : pass.to;
       zigzag.points.push_back({{from.x(), from.y(), z}});
       zigzag.points.push_back({{to.x(), to.y(), z}, 0, Vec3::UnitZ(), Pace::link});

@@ -124,6 +124,7 @@ FieldPtr silhouette(FieldPtr solid, double low, double high) {
 }
 
 bool has_quick_silhouette(const FieldPtr& solid, const Box& bounds) {
+  if (solid->sampled() || solid->faceted()) return false;
   constexpr int lines = 12;  // along each side
   constexpr double most_pieces_of_one = 30;
   constexpr double most_work = 50'000;  // operations for a line

@@ -36,7 +36,8 @@ Path helix(const Hole& hole, double radius, const ThreadSettings& thread, const 
 
 std::vector<Path> mill_threads(const std::vector<Hole>& where, const ThreadSettings& thread, const CutSettings& cut) {
   if (!(thread.pitch > 0)) throw Error(ErrorKind::bad_input, "pitch", "must be above 0");
-  if (!(cut.depths.bottom < cut.depths.top)) static_cast<void>(cut.depths.passes());  // throws
+  if (!(cut.depths.bottom < cut.depths.top))
+    throw Error(ErrorKind::bad_input, "depth", "the bottom of a thread must be below its top");
   std::vector<Path> paths;
   for (const Hole& hole : where) {
     const double deepest = thread.diameter > 0 ? thread.diameter / 2 : hole.radius + thread_depth(thread.pitch);

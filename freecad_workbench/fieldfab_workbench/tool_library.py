@@ -55,9 +55,7 @@ def read(file):
     if not file.lower().endswith(".json"):
         return tool_bits.read(file)
     try:
-        return [each for each in kernel.load().cam.read_tools(file) if each["shape"] in SHAPES], []
+        return kernel.load().cam.read_tools(file), []
     except kernel.load().Error as error:
         raise ValueError(str(error)) from None
 
-
-SHAPES = ("flat", "ball", "bull", "v", "tapered", "drill")

@@ -15,7 +15,7 @@ import aiohttp
 import numpy as np
 import pytest
 from conftest import COMMAND
-from web_server import Server, Socket, pixels, wait_until
+from web_server import Server, Socket, folder, pixels, refused, server, wait_until  # noqa: F401: fixtures
 
 import fieldfab as ff
 from fieldfab.serve import files, limits, pictures
@@ -23,24 +23,6 @@ from fieldfab.serve import files, limits, pictures
 SPHERE = {"text": "sphere(5)"}
 # Seconds of work.
 LONG = {"text": "gyroid(1) & box(120, 120, 120)", "extension": ".stl"}
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    running = Server(tmp_path_factory.mktemp("documents"))
-    yield running
-    running.end()
-
-
-@pytest.fixture(scope="module")
-def folder(server):
-    return server.said.split("documents in ")[1].split(";")[0]
-
-
-def refused(answer, status, *words):
-    got, told = answer
-    assert got == status, told
-    assert all(word in told["error"]["message"] for word in words), told
 
 
 # The page

@@ -15,6 +15,7 @@ import zlib
 
 import aiohttp
 import numpy as np
+import pytest
 from conftest import COMMAND
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
@@ -68,6 +69,26 @@ class Server:
     def workers(self):
         """Returns process ids of its workers."""
         return children(self.process.pid)
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    running = Server(tmp_path_factory.mktemp("documents"))
+    yield running
+    running.end()
+
+
+@pytest.fixture(scope="module")
+def folder(server):
+    return server.said.split("documents in ")[1].split(";")[0]
+
+
+def refused(answer, status, *words):
+    """Asserts that an answer is a refusal with that status and words. Returns the error."""
+    got, told = answer
+    assert got == status, told
+    assert all(word in told["error"]["message"] for word in words), told
+    return told["error"]
 
 
 def children(parent):

@@ -22,7 +22,7 @@ import web_hostile
 from conftest import BUILD, COMMAND
 from rs274 import moves_of_program
 from volume_test import dicom, tiff
-from web_server import Server, Socket, children, pixels, wait_until
+from web_server import Server, Socket, children, folder, pixels, refused, server, wait_until  # noqa: F401: fixtures
 
 import fieldfab as ff
 from fieldfab.serve.processes import Pool, Refused
@@ -30,25 +30,6 @@ from fieldfab.serve.processes import Pool, Refused
 # A text whose cost doubles with each line, beyond any machine's memory and time.
 ENDLESS = "a0 = sphere(1)\n" + "".join(f"a{i + 1} = a{i} | move(a{i}, {1.1**i})\n" for i in range(40)) + "a40\n"
 SPHERE = {"text": "sphere(5)"}
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    running = Server(tmp_path_factory.mktemp("documents"))
-    yield running
-    running.end()
-
-
-@pytest.fixture(scope="module")
-def folder(server):
-    return server.said.split("documents in ")[1].split(";")[0]
-
-
-def refused(answer, status, *words):
-    got, told = answer
-    assert got == status, told
-    assert all(word in told["error"]["message"] for word in words), told
-    return told["error"]
 
 
 # Pictures

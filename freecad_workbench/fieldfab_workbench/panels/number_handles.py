@@ -20,7 +20,7 @@ class NumberHandles:
 
     def __init__(self, panel):
         self._panel, self._editor = panel, panel.text
-        self._task, self._wanted, self._shown_for = None, None, None
+        self._task, self._wanted = None, None
         self.found, self.handles = [], None  # fieldfab.handles.Handle of the text's numbers; views.handles.Handles
         self._diagonal, self._dragged = 0.0, None  # number that is being dragged
         self._editor.cursorPositionChanged.connect(self._show)
@@ -31,6 +31,7 @@ class NumberHandles:
 
     def close(self, *_):
         self._timer.stop()
+        self._wanted = None  # the cursor may still move while the editor goes
         if self._task:
             self._task.cancel()
         self._remove()
@@ -43,10 +44,7 @@ class NumberHandles:
     # Finding them.
     def _text(self):
         """Returns the text with the numbers of the rows: its numbers are the same ones in the same order."""
-        return with_values(self._editor.toPlainText(), self._values())
-
-    def _values(self):
-        return {name: row.value() for name, row in self._panel.rows.items()}
+        return with_values(self._editor.toPlainText(), {name: row.value() for name, row in self._panel.rows.items()})
 
     def _look(self):
         if self.handles and self.handles.dragged():

@@ -70,9 +70,12 @@ class ToolLibraryDialog(QtWidgets.QDialog):
 
     def remove(self):
         if self.chosen():
-            tool_library.remove(set(self.chosen()))
             self.message.clear()
-            self.fill()
+            try:
+                tool_library.remove(set(self.chosen()))
+                self.fill()
+            except (ValueError, OSError) as error:
+                self.message.setText(str(error))
 
     def ask(self):
         paths, kind = QtWidgets.QFileDialog.getOpenFileNames(
@@ -85,8 +88,9 @@ class ToolLibraryDialog(QtWidgets.QDialog):
         for path in paths:
             try:
                 tools, notes = tool_library.read(path)
-                count += tool_library.keep(tools)
-                said += notes
+                count += tool_library.keep([each for each in tools if each["shape"] in cam_tool.SHAPES])
+                said += notes + [tr("{name}: Fieldfab does not know the tool shape {shape}").format(**each)
+                                 for each in tools if each["shape"] not in cam_tool.SHAPES]
             except (ValueError, OSError) as error:
                 said.append(str(error))
         self.fill()

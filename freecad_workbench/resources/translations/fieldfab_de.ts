@@ -2971,6 +2971,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{count} Werkzeuge importiert</translation>
     </message>
     <message>
+        <source>{name}: Fieldfab does not know the tool shape {shape}</source>
+        <translation>{name}: Fieldfab kennt die Werkzeugform {shape} nicht</translation>
+    </message>
+    <message>
         <source>⌀ {unit}</source>
         <translation>⌀ {unit}</translation>
     </message>
@@ -3081,10 +3085,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Designs</source>
         <translation>Entwürfe</translation>
-    </message>
-    <message>
-        <source>{name}: Fieldfab does not know the tool shape {shape}</source>
-        <translation>{name}: Fieldfab kennt die Werkzeugform {shape} nicht</translation>
     </message>
     <message>
         <source>{name}: it has no diameter</source>
