@@ -118,7 +118,22 @@ void bind_workflow(py::module_& module) {
   module.def(
       "machine", [](const std::string& id) { return dict_of(cam::load_machine(id)); }, py::arg("id"),
       "A machine by its id or file: what it takes, its limits (mm, mm/min; 0: none known), settings, materials and "
-      "rotary axes.");
+      "rotary axes. A material without values has those of cutting_values().");
+  module.def(
+      "cutting_values",
+      [](const std::string& machine, const std::string& material, double diameter, int flutes, double spindle) {
+        cam::Tool tool;
+        tool.diameter = diameter, tool.flutes = flutes, tool.spindle = spindle;
+        py::dict d;
+        if (const auto values = cam::cutting_values_of(cam::load_machine(machine), material, tool))
+          d["feed"] = values->feed, d["plunge"] = values->plunge, d["spindle"] = values->spindle;
+        return d;
+      },
+      py::arg("machine"), py::arg("material"), py::arg("diameter"), py::arg("flutes") = 2, py::arg("spindle") = 0,
+      "Starting values of feed and plunge, mm/min, and of the spindle speed, rpm, for a tool in a material on a "
+      "machine: those that follow from the material's chip load (docs/cam.md). `diameter`: mm. `spindle`: the tool's "
+      "own speed; 0: the fastest that material and machine allow. Empty where no chip load is known or the machine has "
+      "values of its own.");
 }
 
 }  // namespace fieldfab::python

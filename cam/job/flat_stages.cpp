@@ -92,16 +92,21 @@ std::function<bool(const Vec3&, const Vec3&)> within(FieldPtr distance, double c
   };
 }
 
-Artifact pocket_stage(const Artifact& in, const Values& values, Context& context) {
+/// The side of an outline that is cut; its outside is the stock around the part, which the tool may leave.
+Outline area_of(const Artifact& in, const Values& values, const CutSettings& cut, const Context& context) {
   Outline area = std::get<Outline>(in);
-  const CutSettings cut = cut_of(values, context, depths_of(values, context.stock));
   if (values.text("side") == "outside") {
-    // The stock around the part.
     const Rectangle stock = Rectangle::of(context.stock).grown(cut.radius);
     const Vec2 a = stock.lower, b = stock.upper;
     area.distance = intersect(complement(area.distance), outline_field({{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}}}));
     area.bounds = stock;
   }
+  return area;
+}
+
+Artifact pocket_stage(const Artifact& in, const Values& values, Context& context) {
+  const CutSettings cut = cut_of(values, context, depths_of(values, context.stock));
+  const Outline area = area_of(in, values, cut, context);
   const ClearSettings clear = clear_of(values, stepover_of(values, context), context.tool);
   const std::vector<Vec2> left = too_narrow(area, cut.radius + cut.allowance, context.progress);
   PlannedCuts cuts;
@@ -119,6 +124,25 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
                     : fmt::format("the tool of {:.4g} mm fits into no pocket; the first is around x {:.2f}, y {:.2f}",
                                   2 * cut.radius, left[0].x(), left[0].y()));
   if (!clear.adaptive) cuts.may_stay_down = within(area.distance, cut.radius + cut.allowance, 2.5 * clear.stepover);
+  return cuts;
+}
+
+Artifact slot_stage(const Artifact& in, const Values& values, Context& context) {
+  const CutSettings cut = cut_of(values, context, depths_of(values, context.stock));
+  const Outline area = area_of(in, values, cut, context);
+  const double widest = is_set(values, "widest") ? values.number("widest") : 1.05 * context.tool.diameter;
+  const Loops loops = contours(*area.distance, area.bounds, {area.cell}, context.progress);
+  Slots found = slots(loops, widest, cut, context.progress);
+  if (found.paths.empty())
+    throw Error(ErrorKind::bad_input, "slot",
+                fmt::format("no slot is between {:.4g} and {:.4g} mm wide", 2 * (cut.radius + cut.allowance), widest));
+  for (const Vec2& place : found.wide)
+    context.notes.push_back(
+        fmt::format("the slot around x {:.2f}, y {:.2f} is wider than the tool of {:.4g} mm: its sides keep material",
+                    place.x(), place.y(), 2 * cut.radius));
+  PlannedCuts cuts;
+  cuts.paths = std::move(found.paths);
+  cuts.inside_first = false;
   return cuts;
 }
 
@@ -288,6 +312,11 @@ std::vector<Stage> flat_stages() {
                 stepover_setting(0.4, "distance of the rings")} +
            clear_settings() + depth_settings() + cut,
        pocket_stage, at_side},
+      {"slot", "runs along the middle of slots as wide as the tool", Kind::outline, Kind::paths, true,
+       Settings{choice("side", {"outside", "inside"}, "slots in the part, or the inside of a drawing of slots"),
+                above_zero(number("widest", "mm", unset, "greatest width of a slot; the default is 1.05 diameters"))} +
+           depth_settings() + cut,
+       slot_stage, at_side},
       {"drill", "the part's round holes", Kind::outline, Kind::paths, true,
        Settings{above_zero(number("peck", "mm", unset, "depth of each peck; the default is no pecking")),
                 above_zero(

@@ -403,18 +403,18 @@ class JobReader {
     return {plane};
   }
 
-  /// Value of a setting: the job's, else the tool's, the material's, the default.
+  /// Value of a setting: the job's, else the tool's, the material's, that of its chip load, the default.
   [[nodiscard]] Given resolve(const Setting& setting, const TomlTable& table, const Tool& tool) const {
     if (const auto value = table.value(setting.name))
       return {checked(setting, *value, table.place(setting.name)), "job", table.place(setting.name)};
-    const double own = setting.name == "feed"      ? tool.feed
-                       : setting.name == "plunge"  ? tool.plunge
-                       : setting.name == "spindle" ? tool.spindle
-                                                   : 0;
-    if (own > 0) return {own, fmt::format("tool {}", tool.number), table.place()};
+    if (const double own = CuttingValues{tool.feed, tool.plunge, tool.spindle}.named(setting.name); own > 0)
+      return {own, fmt::format("tool {}", tool.number), table.place()};
     if (const Value* const value = material_value(setting.name))
       return {checked(setting, *value, fmt::format("{}: material {}", job_.machine_.file, job_.material_)),
               "material " + job_.material_, table.place()};
+    if (const auto values = cutting_values_of(job_.machine_, job_.material_, tool); values)
+      if (const double value = values->named(setting.name); value > 0)
+        return {value, "chip load of " + job_.material_, table.place()};
     return {setting.standard, "default", table.place()};
   }
 

@@ -128,8 +128,18 @@ Machine read_machine(std::string_view toml, const std::string& file) {
       const TomlTable values = *materials->table(material);
       for (const std::string& key : values.keys()) m.materials[material][key] = *values.value(key);
     }
+  // Mills know common materials by their chip loads.
+  if (m.takes == MachineInput::paths && m.text.contains("spindle_on"))
+    for (const std::string& material : cut_materials()) m.materials.try_emplace(material);
   if (const auto kinematics = table.table("kinematics")) m.kinematics = read_kinematics(*kinematics);
   return m;
+}
+
+std::optional<CuttingValues> cutting_values_of(const Machine& machine, const std::string& material, const Tool& tool) {
+  const auto own = machine.materials.find(material);
+  if (own == machine.materials.end() || !own->second.empty() || !(tool.diameter > 0)) return std::nullopt;
+  const double fastest = machine.max_feed > 0 ? machine.max_feed : machine.dynamics.rapid;
+  return cutting_values(material, tool, fastest, machine.max_spindle);
 }
 
 Machine load_machine(const std::string& id_or_path) {

@@ -119,6 +119,8 @@ class Overview:
     samples. Surfaces are in lattice coordinates: mm from the first sample along the lattice's axes."""
 
     def __init__(self, file, progress=None):
+        import numpy as np  # imported late: the workbench must load quickly
+
         self.volume = file.open(progress)
         self.halvings, coarse = 0, self.volume
         while math.prod(coarse.size) > OVERVIEW_SAMPLES:
@@ -126,6 +128,7 @@ class Overview:
         self._densities = _read(coarse, progress)
         plain = self._plain(self.volume.spacing)
         self.counts, self.edges = plain.histogram()
+        self.darkest, self.brightest = np.percentile(self._densities, (0.5, 99.5))  # for pictures
         # The surface of a level set is at 0, but the plain array is no longer marked as one. In .vdb files, only level
         # sets have densities on both sides of 0.
         level_set = file.path.lower().endswith(".vdb") and self.edges[0] < 0 < self.edges[-1]
@@ -146,6 +149,22 @@ class Overview:
             cut = dataclasses.replace(cut, crop=(*first, *last))
         cell = math.prod(plain.spacing) ** (1 / 3)
         return kernel.load().mesh(cut.solid(plain, progress), voxel=cell, features=False, progress=progress), cell
+
+
+def layer(volume, axis, place):
+    """Returns the densities on the plane across one of a volume's axes at a place, counted in samples (a fraction is
+    interpolated): an array of rows along the later one of the other two axes. None beyond the samples. Reads two
+    slices."""
+    import numpy as np
+
+    size = volume.size
+    if not 0 <= place <= size[axis] - 1:
+        return None
+    first, last = [0, 0, 0], [count - 1 for count in size]
+    first[axis] = min(int(place), size[axis] - 2)
+    last[axis] = first[axis] + 1
+    lower, upper = np.moveaxis(volume.crop(tuple(first), tuple(last)).densities(), 2 - axis, 0)
+    return lower + (upper - lower) * np.float32(place - first[axis])
 
 
 def _read(volume, progress):

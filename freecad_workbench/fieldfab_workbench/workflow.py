@@ -167,6 +167,12 @@ def machine(identifier):
     return _machines_told()[identifier]
 
 
+@functools.lru_cache(maxsize=100)
+def cutting_values(identifier, material, diameter, flutes, spindle):
+    """Returns the values of a tool that follow from the chip load of a material (fieldfab.cam.cutting_values)."""
+    return kernel.load().cam.cutting_values(identifier, material, diameter, flutes, spindle)
+
+
 @functools.lru_cache(maxsize=None)
 def machine_stage(identifier):
     told = machine(identifier)

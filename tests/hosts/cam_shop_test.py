@@ -145,3 +145,58 @@ def test_a_thread_is_a_helix(tmp_path):
                                     stock=stock(40, 30, -4, 4)),
                part_frep="difference(box(40, 30, 8), cylinder(2.5, 30))")
     assert "no " in run("cam", path, "-o", tmp_path / "out.ngc", check=False).stderr
+
+
+def test_speeds_follow_from_the_chip_load_of_a_material(tmp_path):
+    """Where neither job nor tool nor machine says anything else; a machine's own material is only what it says."""
+    def words(material, tool, operation="", machine="linuxcnc", head=""):
+        text = job_text("box(40, 30, 10)", operation='type = "face"\n' + operation, tool=tool,
+                        stock=stock(46, 36, -5, 6)).replace('"linuxcnc"', f'"{machine}"\nmaterial = "{material}"')
+        path = job(tmp_path, text, part_frep="box(40, 30, 10)")
+        run("cam", path, "-o", tmp_path / "out.ngc")
+        program = (tmp_path / "out.ngc").read_text()
+        return (max(float(each) for each in re.findall(r"F([\d.]+)", program)),
+                float(re.search(r"S([\d.]+)", program)[1]))
+
+    tool = FLAT.format(6.35) + "\nflutes = 1"
+    values = ff.cam.cutting_values("linuxcnc", "aluminium", 6.35, 1)
+    feed, spindle = words("aluminium", tool)
+    assert (feed, spindle) == (values["feed"], values["spindle"])
+    assert abs(feed - spindle * 0.127) < 1 and 120 <= spindle * math.pi * 6.35e-3 <= 250
+    feed, spindle = words("plywood", FLAT.format(12.7) + "\nflutes = 2")
+    assert feed == 3000 and abs(spindle * math.pi * 12.7e-3 - 300) < 1, "LinuxCNC's mill feeds no faster"
+    assert words("aluminium", tool + "\nspindle = 9000") == (int(9000 * 0.127), 9000)
+    assert words("aluminium", tool, "feed = 400") == (400, values["spindle"])
+    (tmp_path / "mine.toml").write_text(
+        'name = "Mine"\nextension = ".ngc"\n[material.aluminium]\nfeed = 77\n[text]\nspindle_on = "M3 S{rpm}\\n"\n'
+        'line = "G1[ X{x}][ Y{y}][ Z{z}][ F{f}]\\n"\nrapid = "G0[ X{x}][ Y{y}][ Z{z}]\\n"\n')
+    assert words("aluminium", tool, machine="mine.toml") == (77, 10000), "its own feed, and no other value"
+    assert ff.cam.cutting_values("epilog", "acrylic", 3) == {} == ff.cam.cutting_values("linuxcnc", "", 3)
+    assert "aluminium" in ff.cam.machine("linuxcnc")["materials"]
+    assert "hardwood" not in ff.cam.machine("epilog")["materials"]
+
+
+SLOTTED = ("box(60, 40, 6) - box(30, 6, 20) - move(cylinder(3, 20), 15, 0, 0) - move(cylinder(3, 20), -15, 0, 0)"
+           " - move(box(6, 16, 20), 20, 16, 0)")  # an obround slot, and one that is open at its end
+
+
+def test_slots_as_wide_as_the_tool(tmp_path):
+    """Nothing is left in them, and nothing else is cut. The open one is cut beyond the part's edge."""
+    left, program = cut(tmp_path, SLOTTED, 'type = "slot"\ndepth = 6\nstepdown = 2', FLAT.format(6),
+                        stock(60, 40, -3, 3))
+    obround, notch = 30 * 6 + math.pi * 9, 6 * 12 - (18 - math.pi * 9 / 2)  # the notch's end is round
+    assert left.volume == pytest.approx(6 * (60 * 40 - obround - notch), rel=2e-3)
+    places, _, _ = rs274.moves(tmp_path / "out.ngc", tools=((1, 0, 6),))
+    assert min(place[2] for place in places) == pytest.approx(-3)
+
+
+def test_slots_that_do_not_fit_are_told(tmp_path):
+    def told(tool, more=""):
+        path = job(tmp_path, job_text(SLOTTED, operation='type = "slot"\ndepth = 6\n' + more, tool=FLAT.format(tool),
+                                      stock=stock(60, 40, -3, 3)), part_frep=SLOTTED)
+        return run("cam", path, "-o", tmp_path / "out.ngc", check=False)
+
+    assert "no slot is between 5 and 5.25 mm wide" in told(5).stderr
+    assert "no slot is between 8 and" in told(8).stderr
+    wide = told(5, "widest = 6.2")
+    assert wide.returncode == 0 and "is wider than the tool of 5 mm: its sides keep material" in wide.stderr + wide.stdout

@@ -1,17 +1,19 @@
 """Documents in fabserver's page: conflicts, documents that are only shown, texts that are too long, results that are no
 longer those of the model, the gallery, links, downloads and their refusals."""
 
+import contextlib
 import json
 import math
 import os
+import signal
 import time
 
 import numpy as np
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from web_page import browser, folder, page, server, set_value, sheet  # noqa: F401
-from web_server import Server
+from web_page import Page, browser, folder, page, server, set_value, sheet  # noqa: F401
+from web_server import Server, chromium
 
 import fieldfab as ff
 
@@ -466,3 +468,46 @@ def test_late_results_of_a_sheet_do_not_reach_the_next_document(page, folder):
     page.settled()
     assert abs(page.coloured() / (math.pi * 64) - 1) < 0.02
     assert (folder / "next.frep").read_text() == "circle(8)\n"
+
+
+def test_a_browser_that_is_killed_loses_nothing_that_is_a_second_old(folder, server, tmp_path):
+    """SIGKILL of the browser: with a server, what was typed is in the file; without one, in the browser's storage,
+    which Chromium writes some seconds later, and the page writes it to the file when both are back."""
+    file = folder / "killed.frep"
+    file.write_text("circle(3)\n")
+
+    def type_and_kill(text, wait):
+        with chromium(tmp_path / "profile") as driver:
+            page = Page(driver, server)
+            page.open("killed.frep")
+            page.settled()
+            if wait == "away":
+                server[0].kill()
+            page.type("#editor", Keys.CONTROL + "a", text)
+            time.sleep(1 if wait == "saved" else 10)
+            for process in browsers(tmp_path / "profile"):
+                os.kill(process, signal.SIGKILL)
+            with contextlib.suppress(Exception):  # the driver's, which finds no browser
+                driver.quit()
+
+    type_and_kill("circle(4)", "saved")
+    assert file.read_text() == "circle(4)"
+    port = server[0].port
+    type_and_kill("circle(6)", "away")
+    assert file.read_text() == "circle(4)"
+    server[0] = Server(folder, port=port)
+    with chromium(tmp_path / "profile") as driver:
+        page = Page(driver, server)
+        page.open("killed.frep")
+        page.until(lambda: file.read_text() == "circle(6)", "what was typed without a server")
+
+
+def browsers(profile):
+    """Returns the processes of the browsers that use a profile."""
+    found = []
+    for name in filter(str.isdigit, os.listdir("/proc")):
+        with contextlib.suppress(OSError):
+            words = open(f"/proc/{name}/cmdline").read().split("\0")
+            if f"--user-data-dir={profile}" in words and "chromedriver" not in words[0]:
+                found.append(int(name))
+    return found

@@ -163,14 +163,16 @@ class Socket:
 
 
 @contextlib.contextmanager
-def chromium():
-    """A headless browser with WebGL rendered in software."""
+def chromium(profile=None):
+    """A headless browser with WebGL rendered in software. `profile`: the folder of what it keeps; else a new one."""
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
     for each in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
                  "--disable-dev-shm-usage", "--no-proxy-server",
                  "--window-size=1360,860", "--force-device-scale-factor=1"):  # fmt: skip
         options.add_argument(each)
+    if profile:
+        options.add_argument(f"--user-data-dir={profile}")
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     kept = os.environ.copy()
     os.environ["no_proxy"] = "127.0.0.1,localhost"

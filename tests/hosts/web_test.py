@@ -2,6 +2,7 @@
 
 import asyncio
 import contextlib
+import gzip
 import io
 import json
 import os
@@ -600,6 +601,24 @@ def test_scans_are_whole_or_refused(server, folder, tmp_path):
         long.sendall(f"PUT /api/scans/long.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n"
                      "Content-Length: 2000000000\r\n\r\n".encode())
         assert b" 413 " in long.recv(1000)
+
+
+def test_an_upload_that_is_cancelled_ends_its_conversion(server, folder):
+    """The worker ends within a second of the client's going away, and leaves nothing."""
+    size = 700
+    body = gzip.compress(bytes(size**3), 1)
+    head = (f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {size} {size} {size}\nspacings: 1 1 1\nencoding: gzip\n\n")
+    before = set(server.workers())
+    with sockets.create_connection(("127.0.0.1", server.port)) as client:
+        client.sendall(f"PUT /api/scans/large.nrrd HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n"
+                       f"Content-Length: {len(head) + len(body)}\r\n\r\n{head}".encode() + body)
+        wait_until(lambda: set(server.workers()) - before, "the conversion")
+        [worker] = set(server.workers()) - before
+        time.sleep(0.3)
+        assert worker in server.workers(), "it takes long enough to be cancelled"
+    wait_until(lambda: worker not in server.workers(), "the end of the conversion", 1)
+    wait_until(lambda: not any(each.startswith(".upload") for each in os.listdir(folder)), "no files of it")
+    assert not os.path.exists(f"{folder}/large.nii")
 
 
 def zipped(contents):

@@ -10,6 +10,7 @@
 #include "../../cam/base/chords.h"
 #include "../../cam/base/toml_table.h"
 #include "../../cam/base/tool_table.h"
+#include "fieldfab/cam/base/chip_load.h"
 #include "fieldfab/cam/base/tool.h"
 #include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/cam/plan/program.h"
@@ -185,6 +186,45 @@ TEST_F(ToolLibraries, RefuseNonsense) {
   // ambiguous: the library has several tools
   EXPECT_NE(said("\"one.fctl\"\nlength = 3").find("length"), std::string::npos);
   EXPECT_NE(said("\"one.fctl\"\n[[tool]]\nlibrary = \"one.fctl\"").find("two tools with number 1"), std::string::npos);
+}
+
+// The chart's values at its diameters, in between and beyond them.
+TEST(ChipLoads, AreThoseOfTheChart) {
+  EXPECT_NEAR(chip_load("hardwood", 6.35), 0.009 * 25.4, 1e-12);
+  EXPECT_NEAR(chip_load("hardwood", 12.7), 0.019 * 25.4, 1e-12);
+  EXPECT_NEAR(chip_load("aluminium", 4.7625), 0.004 * 25.4, 1e-12);
+  EXPECT_NEAR(chip_load("aluminium", 1), 0.003 * 25.4 / 3.175, 1e-12);
+  EXPECT_NEAR(chip_load("mdf", 25), 0.025 * 25.4, 1e-12);
+  for (const std::string& material : cut_materials())
+    for (double diameter = 0.1; diameter < 14; diameter += 0.1)
+      EXPECT_LE(chip_load(material, diameter), chip_load(material, diameter + 0.1)) << material;
+  EXPECT_NE(refusal([] { (void)chip_load("aluminum", 3); }).find("did you mean 'aluminium'?"), std::string::npos);
+  EXPECT_NE(refusal([] { (void)chip_load("mdf", 0); }).find("needs a diameter"), std::string::npos);
+}
+
+// Within all limits the feed is spindle times edges times chip; a slow machine turns slower, but not below the least
+// cutting speed.
+TEST(ChipLoads, MakeFeedsWithinTheMachinesLimits) {
+  for (const std::string& material : cut_materials())
+    for (const double diameter : {0.5, 1.0, 3.0, 6.0, 10.0, 20.0})
+      for (const double max_feed : {0.0, 500.0, 3000.0, 20000.0})
+        for (const double max_spindle : {0.0, 8000.0, 30000.0}) {
+          Tool tool;
+          tool.diameter = diameter, tool.flutes = 3;
+          const CuttingValues v = cutting_values(material, tool, max_feed, max_spindle);
+          const double chip = 3 * chip_load(material, diameter);
+          const double most = max_spindle > 0 ? max_spindle : 24000;
+          EXPECT_LE(v.spindle, most);
+          EXPECT_LE(v.feed, std::max(1.0, v.spindle * chip));
+          EXPECT_GE(v.feed, std::min(v.spindle * chip, max_feed > 0 ? max_feed : 1e9) - 1);
+          if (max_feed > 0) EXPECT_LE(v.feed, max_feed);
+          EXPECT_NEAR(v.plunge, v.feed / 3, 1);
+          const double speed = v.spindle * std::numbers::pi * diameter / 1000;
+          EXPECT_LE(speed, 600.0);
+          if (max_feed == 0) EXPECT_TRUE(speed > 200 || v.spindle > most - 10) << material << diameter;
+          tool.spindle = 5000;
+          EXPECT_EQ(cutting_values(material, tool, max_feed, max_spindle).spindle, 5000);
+        }
 }
 
 }  // namespace

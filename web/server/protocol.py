@@ -101,7 +101,7 @@ def points(value, name):
 
 # Keys of tools, without `library`, which is a file.
 TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length",
-             "shank", "holder_diameter", "holder_length", "flutes")
+             "shank", "holder_diameter", "holder_length", "flutes", "feed", "plunge", "spindle")
 STOCK_KEYS = ("margin", "top", "thickness")
 SETTING_NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 

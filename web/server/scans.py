@@ -17,6 +17,7 @@ NAME = re.compile(r"[^\W_][\w .+-]{0,99}\.(nii|nii\.gz|vdb|tif|tiff)", re.ASCII 
 # Others become .nii files (archives.py).
 CONVERTED = re.compile(r"([^\W_][\w .+-]{0,99})\.(nrrd|mha|dcm|dicom|ima|zip)", re.ASCII | re.IGNORECASE)
 ENDINGS = ".nii, .nii.gz, .vdb, .tif, .nrrd, .mha, .dcm or .zip"
+LOOK = 0.2  # seconds between two looks whether a client still waits for its answer
 STALE = 3600.0  # seconds after which the files of an upload are those of a server that was killed
 
 
@@ -69,8 +70,8 @@ class Scans:
                         await self._receive(request, file)
                 if converted:
                     made = os.path.join(waiting, "made.nii")
-                    note = await self._convert(given, made)
-                if request.transport is None or request.transport.is_closing():
+                    note = await self._while_there(request, self._convert(given, made))
+                if self._gone(request):
                     raise Refused(400, "gone", "the upload was cancelled")
                 await asyncio.to_thread(self._publish, made if converted else given, path)
             except TimeoutError:
@@ -82,6 +83,22 @@ class Scans:
             finally:
                 await asyncio.to_thread(self._clear, waiting)
         return {"name": stored, "note": note}
+
+    @staticmethod
+    def _gone(request):
+        return request.transport is None or request.transport.is_closing()
+
+    async def _while_there(self, request, work):
+        """Returns the result of a coroutine, which is cancelled when the client goes away: aiohttp lets it run."""
+        task = asyncio.ensure_future(work)
+        try:
+            while not (await asyncio.wait({task}, timeout=LOOK))[0]:
+                if self._gone(request):
+                    raise Refused(400, "gone", "the upload was cancelled")
+            return task.result()
+        finally:
+            task.cancel()
+            await asyncio.wait({task})  # until its worker has ended
 
     @staticmethod
     async def _convert(path, into):

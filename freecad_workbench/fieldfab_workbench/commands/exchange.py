@@ -97,6 +97,22 @@ class SectionPlane(Command):
         toggle(FreeCAD.ActiveDocument)
 
 
+class MeasureSection(Command):
+    """Measures by clicks on the section plane, which is shown first if there is none; choosing it again ends it."""
+
+    def IsActive(self):
+        return hasattr(FreeCADGui.activeView(), "getSceneGraph")
+
+    def Activated(self):
+        from ..views.section import section_of, toggle  # needs Coin
+
+        document = FreeCAD.ActiveDocument
+        if section_of(document) is None:
+            toggle(document)
+        shown = section_of(document)
+        shown.measuring(shown.measure is None)
+
+
 def _chosen_solids():
     return [obj for obj in FreeCADGui.Selection.getSelection() if is_solid(obj) and obj.Mesh.CountFacets]
 
@@ -118,7 +134,12 @@ COMMANDS = {
         "Section", "Section plane", "Cut the view by a plane to see inside, or show everything again",
         "Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis "
         "that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again "
-        "to show everything; the document is not changed."),
+        "to show everything; the document is not changed. Scans that lie along the plane show their densities on it."),
+    "Fieldfab_MeasureSection": MeasureSection(
+        "MeasureSection", "Measure on section", "Measure walls, gaps and distances by clicks on the section plane",
+        "Shows the section plane if there is none. A click on it gives the thickness of the wall, or the width of the "
+        "gap, from the nearest outline through that point to the other side, and the distance from the last click; "
+        "clicks near an outline are on it. Choose it again to end measuring."),
     "Fieldfab_ToMesh": ToMesh(
         "ToMesh", "To mesh", "Make a plain mesh of the selected solid, as it is now",
         "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. "

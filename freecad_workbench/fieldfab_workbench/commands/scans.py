@@ -1,14 +1,11 @@
 """Commands that make solids from scans and other files."""
 
 import os
-import shutil
-import subprocess
-import tempfile
 
 import FreeCAD
 import FreeCADGui
 
-from .. import files, kernel, part_files, work
+from .. import files, kernel, part_files, scripts, work
 from ..file_types import SLICES, extensions, pattern
 from ..objects.frep_solid import FrepSolid
 from ..objects.scan import Scan
@@ -64,34 +61,13 @@ def add_script(path):
 def _parts_of(path, progress):
     """Returns [(name, colour, {property: value})] for part_files.add()."""
     fieldfab = kernel.load()
-    python_path = os.pathsep.join([os.path.dirname(os.path.dirname(fieldfab.__file__)),
-                                   os.environ.get("PYTHONPATH", "")]).rstrip(os.pathsep)
-    with tempfile.TemporaryFile() as said:
-        process = subprocess.Popen([shutil.which("python3") or "python3", "-m", "fieldfab.script", path],
-                                   env={**os.environ, "PYTHONPATH": python_path},
-                                   stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.DEVNULL)
-        try:
-            while process.poll() is None:
-                if progress(0, "") is False:
-                    raise work.Cancelled()
-                try:
-                    process.wait(0.05)
-                except subprocess.TimeoutExpired:
-                    pass
-        finally:
-            process.kill()
-            process.wait()
-        said.seek(0)
-        answer = said.read().decode(errors="replace")
-    if answer.startswith("ok\n"):
-        try:
-            return [(name, colour, {"Expression": solid.math()})
-                    for solid, name, colour in fieldfab.parse_parts(answer[3:])]
-        except fieldfab.Error as error:
-            raise ValueError(f"{path}: {error}") from None
-    _, line, message = (
-        answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("the process ended without a result")))
-    raise ValueError(f"{path}{':' + line if line != '0' else ''}: {message}")
+    try:
+        return [(name, colour, {"Expression": solid.math()})
+                for solid, name, colour in fieldfab.parse_parts(scripts.run_file(path, progress))]
+    except scripts.ScriptError as error:
+        raise ValueError(f"{path}{f':{error.line}' if error.line else ''}: {error.words}") from None
+    except fieldfab.Error as error:
+        raise ValueError(f"{path}: {error}") from None
 
 
 TITLE = "Scans"

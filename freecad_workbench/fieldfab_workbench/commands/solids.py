@@ -3,7 +3,7 @@
 import FreeCAD
 import FreeCADGui
 
-from ..objects import combine, frep_solid, modify, solid, solid_from_object
+from ..objects import combine, frep_solid, modify, script_solid, solid, solid_from_object
 from ..words import tr
 from .command import Command
 
@@ -53,6 +53,11 @@ COMMANDS = {
         frep_solid.FrepSolid, "New f-rep solid", "Make a solid from a formula, recomputed whenever the formula changes",
         "Makes a solid from .frep text or a prefix math string; nothing needs to be selected. The panel has an editor, "
         "a slider for each number of the text, and the resolution; the solid is seen while it is written."),
+    "Fieldfab_NewScriptSolid": NewSolid(
+        script_solid.ScriptSolid, "New Python model", "Make a solid by a Python script that the document keeps",
+        "Makes a solid by a Python script; nothing needs to be selected. The panel has an editor, a slider for each "
+        "named number of the script, and marks the line of an error. The script runs only after you have agreed for "
+        "the document, in a process of its own; the document keeps the script and the formula that it made."),
     "Fieldfab_SolidFromObject": NewSolid(
         solid_from_object.SolidFromObject, "Solid from object",
         "Make a solid of the selected mesh, Part object or body",

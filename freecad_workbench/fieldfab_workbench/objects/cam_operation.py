@@ -26,8 +26,8 @@ class CamOperation(WithSettings):
         return workflow.stages_of(obj.Type)
 
     def default(self, obj, setting):
-        """Returns the default of a setting: the tool's, otherwise the material's, otherwise the workflow's. The last is
-        limited to the machine's maximum feed."""
+        """Returns the default of a setting: the tool's, otherwise the material's (its own or that of its chip load),
+        otherwise the workflow's. The last is limited to the machine's maximum feed."""
         tool, setup = getattr(obj, "Tool", None), setup_of(obj)
         if tool is not None and setting.name in MADE_BY_TOOL:
             own = getattr(tool, MADE_BY_TOOL[setting.name])
@@ -36,6 +36,9 @@ class CamOperation(WithSettings):
                 return own
         machine = workflow.machine(setup.Machine) if setup else {}
         material = machine.get("materials", {}).get(setup.Material, {}) if setup else {}
+        if setup and not material and tool is not None and setting.name in MADE_BY_TOOL:
+            material = workflow.cutting_values(setup.Machine, setup.Material, tool.Diameter.Value, tool.Flutes,
+                                               tool.Spindle)
         value = material.get(setting.name, setting.default)
         fastest = machine.get("max_feed", 0)
         if setting.name in ("feed", "plunge") and fastest and setting.name not in material:

@@ -7,6 +7,8 @@ from ..words import marked, tr
 from .document_object import WithSettings, create_object
 
 NO_MATERIAL = marked("any")
+marked(("acrylic", "aluminium", "cardboard", "copper", "epoxy", "fabric", "foam", "foil", "hard plastic", "hardwood",
+        "mdf", "pcb", "plywood", "soft plastic", "vinyl", "wax"))  # of machines, and with known chip loads
 ZEROS = marked(("model", "corner", "centre", "point"))
 STOCKS = marked({"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"),
                  "Object": ("StockObject",)})
@@ -32,7 +34,9 @@ class CamSetup(WithSettings):
         if "Material" not in obj.PropertiesList:
             obj.Machine = "linuxcnc"
             self.add_choice(obj, "Material", "Machine",
-                            "Workpiece material, which selects the machine's default settings", (NO_MATERIAL,))
+                            "Workpiece material, from which feeds, spindle speed and the machine's settings follow",
+                            (NO_MATERIAL,))
+        self._offer_materials(obj)  # also in a document of an earlier version, which knew fewer
         self.add_choice(obj, "StockFrom", "Stock",
                         "Size of the stock: margins around the part, a box, or the bounding box of an object", STOCKS)
         self.add(obj, "Length", "Margin", "Stock", "Margin at the sides of the part", 2)
@@ -74,8 +78,11 @@ class CamSetup(WithSettings):
 
     def _offer_materials(self, obj):
         """Offers the machine's materials. Keeps the current choice if it is among them."""
+        offered = [NO_MATERIAL, *sorted(workflow.machine(obj.Machine)["materials"])]
+        if obj.getEnumerationsOfProperty("Material") == offered:
+            return
         self._settling, before = True, obj.Material
-        obj.Material = [NO_MATERIAL, *sorted(workflow.machine(obj.Machine)["materials"])]
+        obj.Material = offered
         obj.Material = before if before in obj.getEnumerationsOfProperty("Material") else NO_MATERIAL
         self._settling = False
 

@@ -40,6 +40,7 @@ class FrepSolid(Solid):
     the number, and expressions may set it."""
 
     NAME = "FrepSolid"
+    TEXT = "Expression"  # property with the text
 
     def add_own_properties(self, obj):
         self.add(obj, "String", "FollowedText", "Result", "Text from which the parameters were last read", mode=4)
@@ -47,22 +48,35 @@ class FrepSolid(Solid):
         self.follow_text(obj)
 
     def onChanged(self, obj, name):
-        if name == "Expression" and "FollowedText" in obj.PropertiesList and not obj.Document.Restoring:
+        if name == self.TEXT and "FollowedText" in obj.PropertiesList and not obj.Document.Restoring:
             self.follow_text(obj)
 
     @staticmethod
-    def follow_text(obj):
+    def parameters(text):
+        """Returns the named numbers of a text: {name: fieldfab.language.Parameter}."""
+        return parameters(text)
+
+    @staticmethod
+    def is_wrong(text):
+        return bool(mistakes(text))
+
+    @staticmethod
+    def source_of_text(text):
+        return source_of_text(text)
+
+    def follow_text(self, obj):
         """Updates the properties to the parameters of the text. If a number has changed in the text, the property takes
         it; otherwise the property keeps its value. A text with errors is ignored, since parameters may be missing only
         temporarily."""
-        if obj.FollowedText == obj.Expression:
+        text = getattr(obj, self.TEXT)
+        if obj.FollowedText == text:
             return
         try:
-            if mistakes(obj.Expression):
+            if self.is_wrong(text):
                 return
         except ImportError:  # no kernel: the recompute reports it
             return
-        before, wanted = parameters(obj.FollowedText), parameters(obj.Expression)
+        before, wanted = self.parameters(obj.FollowedText), self.parameters(text)
         own = {name for name in obj.PropertiesList if obj.getGroupOfProperty(name) == GROUP}
         for name in own - {property_name(n) for n in wanted}:
             obj.removeProperty(name)
@@ -76,13 +90,18 @@ class FrepSolid(Solid):
                 setattr(obj, held, parameter.value)
             if held in own:
                 obj.setDocumentationOfProperty(held, parameter.comment or f"{name} of the text")
-        obj.FollowedText = obj.Expression
+        obj.FollowedText = text
+
+    def written(self, obj):
+        """Returns the object's text with the current values of its parameters."""
+        text = getattr(obj, self.TEXT)
+        held = {name: property_name(name) for name in self.parameters(text)}
+        own = {name for name in obj.PropertiesList if obj.getGroupOfProperty(name) == GROUP}
+        return with_values(text, {name: getattr(obj, prop) for name, prop in held.items() if prop in own})
 
     def text(self, obj):
-        """Returns the text with the current values of its parameters."""
-        held = {name: property_name(name) for name in parameters(obj.Expression)}
-        own = {name for name in obj.PropertiesList if obj.getGroupOfProperty(name) == GROUP}
-        return with_values(obj.Expression, {name: getattr(obj, prop) for name, prop in held.items() if prop in own})
+        """Returns the solid as .frep text. Raises ValueError."""
+        return self.written(obj)
 
     def source(self, obj):
-        return source_of_text(self.text(obj))
+        return self.source_of_text(self.text(obj))

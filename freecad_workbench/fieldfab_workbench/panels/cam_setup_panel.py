@@ -8,19 +8,20 @@ from ..views.part_view import PartView
 from ..words import PROPERTY, property_label, tr
 from .collapsible import Box
 from .edit_panel import EditPanel
-from .zero_places import place_at
+from .job_handles import handles_of
 from .operation_form import OperationForm
 from .choices import offer
 from .property_panel import MAKERS, PropertyPanel, candidates
 from .setting_rows import SettingRows
 from .tool_table import ToolTable
+from .zero_places import place_at
 
 
 class SetupPanel(EditPanel):
     def __init__(self, obj):
         super().__init__(obj, tr("CAM job"))
         self.task, self.operation_form, self.machine_rows = None, None, None
-        self.view = PartView(self.document)
+        self.widgets, self.handles, self.view = {}, None, PartView(self.document)
         self.layout.setSpacing(3)
         self._plan_row()
         for make in (self._part, self._stock, self._tools, self._operations, self._machine):
@@ -28,6 +29,7 @@ class SetupPanel(EditPanel):
         self.layout.addStretch()
         self.timer = QtCore.QTimer(self.form)
         self.timer.timeout.connect(self._look)
+        self.form.destroyed.connect(self.remove_handles)
         self._refresh()
 
     def take_over(self):
@@ -54,6 +56,7 @@ class SetupPanel(EditPanel):
         box.body.addLayout(form)
         self.zero_rows = QtWidgets.QFormLayout()
         box.body.addLayout(self.zero_rows)
+        box.button.toggled.connect(lambda on: self._make_handles())
         self.part_box = box
         self._fill_zero()
         return box
@@ -97,6 +100,7 @@ class SetupPanel(EditPanel):
         self.stock_rows = QtWidgets.QFormLayout()
         box.body.addLayout(self.stock_rows)
         self.stock_box = box
+        box.button.toggled.connect(lambda on: self._make_handles())
         self._fill_stock()
         return box
 
@@ -119,6 +123,16 @@ class SetupPanel(EditPanel):
         if hasattr(widget, "activated"):
             widget.activated.connect(lambda index, write=write: self._written(write))
         rows.addRow(property_label(name), widget)
+        self.widgets[name] = widget
+
+    def set_length(self, name, value):
+        """Changes a length as if it was typed."""
+        self.widgets[name].setProperty("rawValue", value)
+        self._set(name, value)
+
+    def set_corner(self, name, axis, value):
+        """Changes a coordinate of a corner as if it was typed."""
+        self.widgets[name].findChildren(QtWidgets.QDoubleSpinBox)[axis].setValue(value)
 
     _write_quantity = PropertyPanel._write_quantity
 
@@ -322,10 +336,28 @@ class SetupPanel(EditPanel):
         self.machine_rows.refresh()
         if self.operation_form is not None:
             self.operation_form.refresh()
+        self._make_handles()
         self._tell()
+
+    # Arrows in the 3D view.
+    def _make_handles(self):
+        """Makes the arrows anew, unless one of them is being dragged."""
+        if self.machine_rows is None:  # the boxes are still being made
+            return
+        if self.handles and self.handles.dragged():
+            self.handles.refresh()
+            return
+        self.remove_handles()
+        self.handles = handles_of(self)
+
+    def remove_handles(self, *_):
+        if self.handles:
+            self.handles.close()
+        self.handles = None
 
     def close(self):
         self.view.tell_clicks(None)
+        self.remove_handles()
         super().close()
 
     # Planning.

@@ -1,4 +1,4 @@
-"""Editor for .frep text with syntax colours, completion, help on names, line numbers and underlined mistakes."""
+"""Editor for .frep text with syntax colours, completion and help on names."""
 
 from html import escape
 
@@ -6,11 +6,11 @@ from .. import frep_language as language
 from .. import kernel
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
+from .code_editor import CodeEditor
 
 COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "function": "#1f5fae", "constant": "#7a3e9d",
            "variable": "#a0341f",
            "parameter": "#00695c", "option": "#00695c", "colour": "#8a5a00"}
-MISTAKE = QtGui.QColor("#c62828")
 INSERTED = QtCore.Qt.UserRole + 1  # item role: the text that a completion inserts
 
 
@@ -33,50 +33,17 @@ class Highlighter(QtGui.QSyntaxHighlighter):
                 self.setFormat(start, end - start, found)
 
 
-class LineNumbers(QtWidgets.QWidget):
-    """The line number area to the left of the text."""
+class FrepEditor(CodeEditor):
+    """The count of `checked` is the number of nodes. Without a kernel the message is the reason, and the editor has no
+    colours, completion or help."""
 
-    def __init__(self, editor):
-        super().__init__(editor)
-        self.editor = editor
-
-    def paintEvent(self, event):
-        self.editor.paint_numbers(event)
-
-
-class FrepEditor(QtWidgets.QPlainTextEdit):
-    """Emits `checked(node_count, message)` after each check; the message is empty for a valid text. Without a kernel
-    the message is the reason, and the editor has no colours, completion or help."""
-
-    checked = QtCore.Signal(int, str)
-
-    def __init__(self, text=""):
-        super().__init__()
-        font = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont)
-        font.setPointSizeF(max(font.pointSizeF(), 10))
-        self.setFont(font)
-        self.setLineWrapMode(QtWidgets.QPlainTextEdit.NoWrap)
-        self.setTabChangesFocus(False)
-        self.mistakes, self.message = [], ""
+    def prepare(self):
         self.highlighter = Highlighter(self.document())
-        self.numbers = LineNumbers(self)
         self.popup = self._completer()
-        self.blockCountChanged.connect(lambda count: self._make_room())
-        self.updateRequest.connect(self._follow)
-        self.textChanged.connect(self._changed)
-        self._timer = QtCore.QTimer(self, singleShot=True, interval=60)
-        self._timer.timeout.connect(self.check)
-        self._make_room()
-        self.setPlainText(text)
-        self.check()
 
     # Check and colours.
-    def _changed(self):
-        self._timer.start()
-
-    def check(self):
-        """Parses the text and marks its mistakes."""
-        text, count = self.toPlainText(), 0
+    def examine(self, text):
+        count = 0
         try:
             self.mistakes, self.message = language.mistakes(text), ""
             count = 0 if self.mistakes else kernel.load().parse(text).node_count()
@@ -87,8 +54,7 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
             first, more = self.mistakes[0], len(self.mistakes) - 1
             form = tr("Line {line}: {words} (and {count} more)") if more else tr("Line {line}: {words}")
             self.message = form.format(line=first.line + 1, words=first.message, count=more)
-        self._mark()
-        self.checked.emit(count, self.message)
+        return count
 
     def _colour(self, kinds):
         if kinds != self.highlighter.kinds:
@@ -96,23 +62,6 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
             self.blockSignals(True)  # a change of colours is not a change of the text
             self.highlighter.rehighlight()
             self.blockSignals(False)
-
-    def _mark(self):
-        """Underlines each mistake. If a token is missing, underlines the preceding character."""
-        marks = []
-        for mistake in self.mistakes:
-            wave = QtWidgets.QTextEdit.ExtraSelection()
-            wave.cursor = QtGui.QTextCursor(self.document())
-            wave.cursor.setPosition(mistake.start)
-            wave.cursor.setPosition(mistake.end, QtGui.QTextCursor.KeepAnchor)
-            if mistake.start == mistake.end and not wave.cursor.atBlockStart():
-                wave.cursor.movePosition(QtGui.QTextCursor.Left, QtGui.QTextCursor.KeepAnchor)
-            wave.format.setUnderlineStyle(QtGui.QTextCharFormat.WaveUnderline)
-            wave.format.setUnderlineColor(MISTAKE)
-            wave.format.setBackground(QtGui.QColor(255, 205, 205))
-            marks.append(wave)
-        self.setExtraSelections(marks)
-        self.numbers.update()
 
     # Completion.
     def _completer(self):
@@ -168,11 +117,6 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
             cursor.movePosition(QtGui.QTextCursor.Left)
         self.setTextCursor(cursor)
 
-    def insert(self, text):
-        """Inserts text at the cursor."""
-        self.textCursor().insertText(text)
-        self.setFocus()
-
     # Overrides of Qt methods.
     def keyPressEvent(self, event):
         keys, shown = QtCore.Qt, self.popup.popup().isVisible()
@@ -208,35 +152,3 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
             return "<br>".join(escape(m) for m in here or [m.message for m in self.mistakes if m.line == line])
         example = f"<br><code>{escape(word.example)}</code>" if word.example else ""
         return f"<b>{escape(word.signature)}</b><br>{escape(language.meaning(word.meaning))}{example}"
-
-    # Line numbers.
-    def _width(self):
-        return 16 + self.fontMetrics().horizontalAdvance("9") * max(2, len(str(self.blockCount())))
-
-    def _make_room(self):
-        self.setViewportMargins(self._width(), 0, 0, 0)
-
-    def _follow(self, rectangle, dy):
-        (self.numbers.scroll(0, dy) if dy
-         else self.numbers.update(0, rectangle.y(), self.numbers.width(), rectangle.height()))
-
-    def resizeEvent(self, event):
-        super().resizeEvent(event)
-        inside = self.contentsRect()
-        self.numbers.setGeometry(inside.left(), inside.top(), self._width(), inside.height())
-
-    def paint_numbers(self, event):
-        painter, block, lines = (QtGui.QPainter(self.numbers), self.firstVisibleBlock(),
-                                 {mistake.line for mistake in self.mistakes})
-        painter.fillRect(event.rect(), self.palette().alternateBase())
-        painter.setFont(self.font())
-        top = self.blockBoundingGeometry(block).translated(self.contentOffset()).top()
-        while block.isValid() and top <= event.rect().bottom():
-            height, wrong = self.blockBoundingRect(block).height(), block.blockNumber() in lines
-            if wrong:
-                painter.fillRect(0, round(top), self.numbers.width(), round(height), MISTAKE)
-            painter.setPen(QtCore.Qt.white if wrong
-                           else self.palette().color(QtGui.QPalette.Disabled, QtGui.QPalette.Text))
-            painter.drawText(0, round(top), self.numbers.width() - 6, round(height), QtCore.Qt.AlignRight,
-                             str(block.blockNumber() + 1))
-            top, block = top + height, block.next()

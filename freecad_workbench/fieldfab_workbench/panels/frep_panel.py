@@ -2,8 +2,8 @@
 
 from .. import kernel, preferences, units
 from ..certainty import is_uncertain, with_doubt
-from ..frep_language import parameters, with_values
-from ..objects.frep_solid import property_name, source_of_text
+from ..frep_language import with_values
+from ..objects.frep_solid import property_name
 from ..shim import QtWidgets
 from ..views.preview import Preview
 from ..words import tr
@@ -16,10 +16,11 @@ from .parameter_rows import ParameterRow
 
 
 class FrepPanel(EditPanel):
+    """The panel of a solid that is written as a text, which the object's proxy understands."""
+
     def __init__(self, obj):
-        super().__init__(obj, tr("F-rep solid"))
-        self.text = FrepEditor(obj.Expression)
-        self.text.setObjectName("FrepEditor")
+        super().__init__(obj, self.title())
+        self.text = self.editor(self._object_text())
         self.text.setMinimumHeight(200)
         self.layout.addWidget(self._tools())
         self.layout.addWidget(self.text, 1)
@@ -31,9 +32,29 @@ class FrepPanel(EditPanel):
         self.layout.addLayout(self._resolution())
         self.rows, self.numbers = {}, {}  # {name: ParameterRow}, {name: parameter of the text}
         self.preview = Preview(obj, self._told, self.form)
-        self.handles = NumberHandles(self)
+        self.handles = self.arrows()
         self.text.checked.connect(self._checked)
         self.text.check()
+
+    # What the kinds of texts have of their own.
+    def title(self):
+        return tr("F-rep solid")
+
+    def editor(self, text):
+        made = FrepEditor(text)
+        made.setObjectName("FrepEditor")
+        return made
+
+    def arrows(self):
+        """Returns the arrows in the 3D view, or None."""
+        return NumberHandles(self)
+
+    def valid(self, count):
+        """Returns what is said about a valid text."""
+        return tr("{count} operations").format(count=count)
+
+    def _object_text(self):
+        return getattr(self.obj, self.obj.Proxy.TEXT)
 
     def _tools(self):
         gallery = QtWidgets.QPushButton(tr("Insert a shape…"))
@@ -77,7 +98,7 @@ class FrepPanel(EditPanel):
     def _follow_text(self):
         """Updates the rows to the parameters of the text. If a number has changed in the text, its row takes it, as the
         object will."""
-        wanted = parameters(self.text.toPlainText())
+        wanted = self.obj.Proxy.parameters(self.text.toPlainText())
         if [(n, p.range) for n, p in wanted.items()] != [(n, p.range) for n, p in self.numbers.items()]:
             kept = {name: row.value() for name, row in self.rows.items()}
             while self.sliders.rowCount():
@@ -90,7 +111,7 @@ class FrepPanel(EditPanel):
 
     def _held(self, parameter):
         """Returns the object's value of a parameter if its text has the same number, otherwise the text's number."""
-        before = parameters(self.obj.FollowedText).get(parameter.name)
+        before = self.obj.Proxy.parameters(self.obj.FollowedText).get(parameter.name)
         same = before is not None and before.value == parameter.value
         return getattr(self.obj, property_name(parameter.name), parameter.value) if same else parameter.value
 
@@ -117,8 +138,8 @@ class FrepPanel(EditPanel):
         if mistake:
             self.say(mistake)
             return
-        known = self.obj.isValid() and self.text.toPlainText() == self.obj.Expression and is_uncertain(self.obj)
-        self.say(*with_doubt(tr("{count} operations").format(count=count), self.obj.Certainty if known else ""))
+        known = self.obj.isValid() and self.text.toPlainText() == self._object_text() and is_uncertain(self.obj)
+        self.say(*with_doubt(self.valid(count), self.obj.Certainty if known else ""))
         self._follow_text()
         self._show()
 
@@ -134,8 +155,11 @@ class FrepPanel(EditPanel):
         self.preview.show(source, settings)
 
     def _source(self):
-        return source_of_text(with_values(self.text.toPlainText(),
-                                          {name: row.value() for name, row in self.rows.items()}))
+        return self.obj.Proxy.source_of_text(self.written())
+
+    def written(self):
+        """Returns the text with the values of its rows."""
+        return with_values(self.text.toPlainText(), {name: row.value() for name, row in self.rows.items()})
 
     def _told(self, words, good):
         if not self.text.message:
@@ -143,8 +167,8 @@ class FrepPanel(EditPanel):
 
     def take_over(self):
         self.text.check()
-        if self.obj.Expression != self.text.toPlainText():
-            self.obj.Expression = self.text.toPlainText()
+        if self._object_text() != self.text.toPlainText():
+            setattr(self.obj, self.obj.Proxy.TEXT, self.text.toPlainText())
         for name, row in self.rows.items():
             held = property_name(name)
             if held in self.obj.PropertiesList and row.isEnabled() and getattr(self.obj, held) != row.value():
@@ -153,5 +177,6 @@ class FrepPanel(EditPanel):
 
     def close(self):
         self.preview.close()
-        self.handles.close()
+        if self.handles:
+            self.handles.close()
         super().close()

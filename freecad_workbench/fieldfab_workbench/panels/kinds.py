@@ -6,6 +6,7 @@ from .cam_setup_panel import SetupPanel
 from .frep_panel import FrepPanel
 from .property_panel import PropertyPanel
 from .scan_panel import ScanPanel
+from .script_panel import ScriptPanel
 from .simulation_panel import SimulationPanel
 
 
@@ -19,6 +20,7 @@ PANELS = {
     "DocumentObject": PropertyPanel,
     "FrepSolid": FrepPanel,
     "Scan": ScanPanel,
+    "ScriptSolid": ScriptPanel,
     "Simulation": SimulationPanel,
     "CamSetup": SetupPanel,
     "CamTool": lambda tool: _of_part_of_setup(tool, setup_of(tool)),

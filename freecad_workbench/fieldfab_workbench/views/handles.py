@@ -38,14 +38,15 @@ class Handles:
         self._document, self._handles = document, handles
         self._scene = FreeCADGui.getDocument(document.Name).ActiveView.getSceneGraph()
         self.size, self._finest = SIZE * diagonal, diagonal / STEPS
-        self._root, self.arrows, self._sensors = coin.SoAnnotation(), [], []
+        self._root, self.arrows = coin.SoAnnotation(), []
+        self._sensors, self._quiet = [], True
+        self._moving = None  # handle and dragger that were moved last
         on_top = coin.SoPickStyle()
         on_top.style = coin.SoPickStyle.SHAPE_ON_TOP
         self._root.addChild(on_top)
         for handle in handles:
             self._add(handle)
         self._scene.insertChild(self._root, 0)  # before the solids, which take clicks
-        self._quiet = False
         self.refresh()
 
     def _add(self, handle):
@@ -59,21 +60,26 @@ class Handles:
         for node in (place, scale, arrow):
             branch.addChild(node)
         self._root.addChild(branch)
-        sensor = coin.SoFieldSensor(lambda *_: self._dragged(handle, arrow), None)
-        sensor.attach(arrow.translation)
         self.arrows.append((handle, place, arrow))
-        self._sensors.append(sensor)
+        self._sensors.append(immediate_sensor(arrow.translation, lambda: self._moved(handle, arrow)))
 
-    def _dragged(self, handle, arrow):
-        if self._quiet or not is_there(self._document):
+    def _moved(self, handle, arrow):
+        if self._quiet:
+            return
+        if self._moving is None:  # later, since this dragger is still at work
+            QtCore.QTimer.singleShot(0, self._write)
+        self._moving = handle, arrow
+
+    def _write(self):
+        (handle, arrow), self._moving = self._moving, None
+        if self._root is None or not is_there(self._document):
             return
         value = arrow.translation.getValue()[0] * self.size / handle.rate
         step = 10 ** math.floor(math.log10(self._finest / handle.rate))
         rounded = round(round(value / step) * step, 9)
         if rounded != handle.read():
             handle.write(rounded)
-            # Later: this dragger is still at work.
-            QtCore.QTimer.singleShot(0, self.refresh)
+            self.refresh()
 
     def refresh(self):
         if self._root is None or not is_there(self._document):
@@ -94,6 +100,15 @@ class Handles:
         if self._root is not None and is_there(self._document):
             self._scene.removeChild(self._root)
         self._root, self._sensors = None, []
+
+
+def immediate_sensor(field, tell):
+    """Returns a sensor that calls `tell()` at once whenever a field changes, until it is detached. By default sensors
+    wait in a queue of Coin, which calls them even when they are gone meanwhile."""
+    sensor = coin.SoFieldSensor(lambda *_: tell(), None)
+    sensor.setPriority(0)
+    sensor.attach(field)
+    return sensor
 
 
 def _arrow(colour):

@@ -4,9 +4,10 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from ..shim import QtWidgets
+from ..shim import QtCore, QtGui, QtWidgets
 
 STILL = 4  # greatest pointer movement during a click, pixels
+TICK = 20  # ms between looks at the mouse button
 
 
 def is_there(thing):
@@ -82,6 +83,21 @@ class PartView:
             return
         at = tuple(event.getPosition().getValue())
         if event.getState() == coin.SoButtonEvent.DOWN:
-            self._pressed = at
-        elif self._pressed and max(abs(a - b) for a, b in zip(at, self._pressed)) <= STILL and self._clicked:
+            self._pressed, self._cursor = at, QtGui.QCursor.pos()
+            QtCore.QTimer.singleShot(TICK, self._look_for_release)
+        elif self._pressed:
+            self._released(max(abs(a - b) for a, b in zip(at, self._pressed)))
+
+    def _look_for_release(self):
+        """FreeCAD keeps the release of the button for itself where it is a selection."""
+        if not self._pressed:
+            return
+        if QtWidgets.QApplication.mouseButtons() & QtCore.Qt.LeftButton:
+            QtCore.QTimer.singleShot(TICK, self._look_for_release)
+        else:
+            self._released((QtGui.QCursor.pos() - self._cursor).manhattanLength())
+
+    def _released(self, way):
+        at, self._pressed = self._pressed, None
+        if way <= STILL and self._clicked:
             self._clicked(*self.ray(*at))

@@ -7,12 +7,16 @@ from pivy import coin
 
 from ..shim import QtCore
 from ..words import tr
+from .handles import immediate_sensor
 from .part_view import is_there
+from .scan_slices import ScanSlices
+from .section_measure import SectionMeasure
 
 CAP_COLOUR = (0.96, 0.66, 0.28)
 FRAME_COLOUR = (0.75, 0.35, 0.05)
 STOCK = "Fieldfab_stock"  # name of a playback's node
 TICK = 300  # ms between checks for new nodes
+SLICE = 40  # ms from a move of the plane to new pictures of scans
 HANDLE = 0.12  # size of the handle relative to the scene's diagonal
 
 
@@ -38,13 +42,15 @@ class Section:
         self._front = _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.COUNTERCLOCKWISE,
                                   shapeType=coin.SoShapeHints.SOLID)
         self._front.creaseAngle.setIgnored(True)
-        # The handle precedes the plane, which cuts all nodes after it.
-        for place, node in enumerate((self._nodes, self._clip)):
+        self._slices, self._measured, self.measure = ScanSlices(document), coin.SoSeparator(), None
+        # These precede the plane, which cuts all nodes after it.
+        for place, node in enumerate((self._nodes, self._slices.root, self._measured, self._clip)):
             self._scene.insertChild(node, place)
         self._scene.addChild(self._caps)
+        self._slice_timer = QtCore.QTimer(singleShot=True, interval=SLICE)
+        self._slice_timer.timeout.connect(self._show_slices)
         self._look()
-        self._sensor = coin.SoFieldSensor(lambda *_: self._moved(), None)
-        self._sensor.attach(self.dragger.translation)
+        self._sensor = immediate_sensor(self.dragger.translation, self._moved)
         self._moved()
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._look)
@@ -55,23 +61,52 @@ class Section:
         """Distance of the plane from the middle towards the viewer, mm."""
         return self.dragger.translation.getValue()[0] * self._size
 
+    @property
+    def at(self):
+        """A point of the plane."""
+        return self.middle + self.normal * self.offset
+
     def close(self):
-        self._timer.stop()
-        self._sensor.detach()
-        for node in (self._nodes, self._clip, self._caps):
+        self._stop()
+        for node in (self._nodes, self._slices.root, self._measured, self._clip, self._caps):
             self._scene.removeChild(node)
         self._take([])
 
+    def _stop(self):
+        self.measuring(False)
+        self._sensor.detach()
+        self._timer.stop()
+        self._slice_timer.stop()
+        self._slices.close()
+
     def _moved(self):
-        at = self.middle + self.normal * self.offset
-        self._clip.plane = coin.SbPlane(coin.SbVec3f(*(-self.normal)), coin.SbVec3f(*at))
+        self._clip.plane = coin.SbPlane(coin.SbVec3f(*(-self.normal)), coin.SbVec3f(*self.at))
+        if self.measure:
+            self.measure.forget()
+        self._slice_timer.start()
+
+    def _show_slices(self):
+        self._slices.show(self.normal, self.at)
+
+    def measuring(self, on):
+        """Begins or ends measuring by clicks."""
+        if on and not self.measure:
+            self.measure = SectionMeasure(self, self._document)
+            self._measured.addChild(self.measure.root)
+        elif not on and self.measure:
+            self.measure.close()
+            self._measured.removeAllChildren()
+            self.measure = None
 
     def _look(self):
         """Adapts to added and removed nodes."""
         if not is_there(self._document):
             self._timer.stop()
             self._sensor.detach()
+            self._slice_timer.stop()
+            self._slices.close()
             return
+        self._show_slices()
         wanted = self._wanted()
         if wanted != list(self._solids.getChildren() or ()):
             self._take(wanted)

@@ -144,8 +144,8 @@
         <translation>Werkstoff</translation>
     </message>
     <message>
-        <source>Workpiece material, which selects the machine's default settings</source>
-        <translation>Werkstoff; er bestimmt die Vorgaben der Maschine</translation>
+        <source>Workpiece material, from which feeds, spindle speed and the machine's settings follow</source>
+        <translation>Werkstoff, aus dem Vorschübe, Drehzahl und die Einstellungen der Maschine folgen</translation>
     </message>
     <message>
         <source>Diameter</source>
@@ -852,6 +852,30 @@
         <translation>Serie eines DICOM-Ordners, der mehrere enthält</translation>
     </message>
     <message>
+        <source>Script</source>
+        <translation>Schriftsystem</translation>
+    </message>
+    <message>
+        <source>Python script that makes the solid</source>
+        <translation>Python-Skript, das den Körper erzeugt</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>Formula that the script made</source>
+        <translation>Formel, die das Skript erzeugt hat</translation>
+    </message>
+    <message>
+        <source>Formula Of</source>
+        <translation>Formel von</translation>
+    </message>
+    <message>
+        <source>Script that made the formula, with its values</source>
+        <translation>Skript, das die Formel erzeugt hat, mit seinen Werten</translation>
+    </message>
+    <message>
         <source>Program File</source>
         <translation>Programmdatei</translation>
     </message>
@@ -1312,10 +1336,6 @@
         <translation>Sprache des Texts: en, de, ...</translation>
     </message>
     <message>
-        <source>Script</source>
-        <translation>Schriftsystem</translation>
-    </message>
-    <message>
         <source>Script of the text: Latn, ...</source>
         <translation>Schriftsystem des Texts: Latn, ...</translation>
     </message>
@@ -1511,10 +1531,6 @@
         <translation>FreeCADs Startseite wird aktualisiert, wenn sie das nächste Mal geöffnet wird</translation>
     </message>
     <message>
-        <source>the process ended without a result</source>
-        <translation>der Prozess endete ohne Ergebnis</translation>
-    </message>
-    <message>
         <source>Import scan: a volume, or any slice of a stack</source>
         <translation>Scan importieren: ein Volumen oder ein beliebiges Schichtbild eines Stapels</translation>
     </message>
@@ -1629,6 +1645,70 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>any</source>
         <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>acrylic</source>
+        <translation>Acryl</translation>
+    </message>
+    <message>
+        <source>aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>cardboard</source>
+        <translation>Pappe</translation>
+    </message>
+    <message>
+        <source>copper</source>
+        <translation>Kupfer</translation>
+    </message>
+    <message>
+        <source>epoxy</source>
+        <translation>Epoxidharz</translation>
+    </message>
+    <message>
+        <source>fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>foam</source>
+        <translation>Schaumstoff</translation>
+    </message>
+    <message>
+        <source>foil</source>
+        <translation>Folie</translation>
+    </message>
+    <message>
+        <source>hard plastic</source>
+        <translation>harter Kunststoff</translation>
+    </message>
+    <message>
+        <source>hardwood</source>
+        <translation>Hartholz</translation>
+    </message>
+    <message>
+        <source>mdf</source>
+        <translation>MDF</translation>
+    </message>
+    <message>
+        <source>pcb</source>
+        <translation>Leiterplatte</translation>
+    </message>
+    <message>
+        <source>plywood</source>
+        <translation>Sperrholz</translation>
+    </message>
+    <message>
+        <source>soft plastic</source>
+        <translation>weicher Kunststoff</translation>
+    </message>
+    <message>
+        <source>vinyl</source>
+        <translation>Vinyl</translation>
+    </message>
+    <message>
+        <source>wax</source>
+        <translation>Wachs</translation>
     </message>
     <message>
         <source>model</source>
@@ -1957,6 +2037,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{label}: the scan {path} is {state}; the mesh is unchanged</source>
         <translation>{label}: Der Scan {path} ist {state}; das Netz ist unverändert</translation>
+    </message>
+    <message>
+        <source>{label}: its script may run only after you have agreed; double-click the solid</source>
+        <translation>{label}: Das Skript läuft erst, wenn Sie zugestimmt haben; doppelklicken Sie den Körper</translation>
     </message>
     <message>
         <source>a tool has the form {example}, not {line!r}</source>
@@ -2327,6 +2411,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Parameter {name} des Texts, auch eine Eigenschaft des Objekts</translation>
     </message>
     <message>
+        <source>{count} operations</source>
+        <translation>{count} Rechenschritte</translation>
+    </message>
+    <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
@@ -2345,10 +2433,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>0 is automatic: {zero}</source>
         <translation>0 heißt automatisch: {zero}</translation>
-    </message>
-    <message>
-        <source>{count} operations</source>
-        <translation>{count} Rechenschritte</translation>
     </message>
     <message>
         <source>All</source>
@@ -2705,6 +2789,30 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>The scan {path} is missing: choose where it is now. The solid keeps the mesh it has.</source>
         <translation>Der Scan {path} fehlt: wählen, wo er jetzt ist. Der Körper behält sein Netz.</translation>
+    </message>
+    <message>
+        <source>A script can do on this computer whatever you can: read, change and delete your files. Run it only if you trust whoever wrote it.</source>
+        <translation>Ein Skript kann auf diesem Rechner alles, was Sie können: Ihre Dateien lesen, ändern und löschen. Führen Sie es nur aus, wenn Sie seinem Verfasser vertrauen.</translation>
+    </message>
+    <message>
+        <source>Python model</source>
+        <translation>Python-Modell</translation>
+    </message>
+    <message>
+        <source>The script is run</source>
+        <translation>Das Skript wird ausgeführt</translation>
+    </message>
+    <message>
+        <source>The script is not run</source>
+        <translation>Das Skript wird nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>Run this document's scripts</source>
+        <translation>Skripte dieses Dokuments ausführen</translation>
+    </message>
+    <message>
+        <source>Until the document is closed, its scripts run whenever they have changed</source>
+        <translation>Bis das Dokument geschlossen wird, laufen seine Skripte nach jeder Änderung</translation>
     </message>
     <message>
         <source>default</source>
@@ -3075,6 +3183,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>der Scan {path} ist nicht da</translation>
     </message>
     <message>
+        <source>the process ended without a result</source>
+        <translation>der Prozess endete ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>the script is too deep</source>
+        <translation>das Skript ist zu tief verschachtelt</translation>
+    </message>
+    <message>
         <source>{format} files hold no meshes. Convert {names} to a Part shape and write that?</source>
         <translation>{format}-Dateien enthalten keine Netze. {names} in eine Part-Form umwandeln und diese schreiben?</translation>
     </message>
@@ -3157,6 +3273,26 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>The view shows no solid to cut</source>
         <translation>Die Ansicht zeigt keinen Körper zum Schneiden</translation>
+    </message>
+    <message>
+        <source>Click on a cut face: its thickness there, and the distance from the last click</source>
+        <translation>Klicken Sie auf eine Schnittfläche: ihre Dicke dort und der Abstand zum letzten Klick</translation>
+    </message>
+    <message>
+        <source>{length} thick</source>
+        <translation>{length} dick</translation>
+    </message>
+    <message>
+        <source>{length} wide</source>
+        <translation>{length} weit</translation>
+    </message>
+    <message>
+        <source>Nothing is cut there</source>
+        <translation>Dort wird nichts geschnitten</translation>
+    </message>
+    <message>
+        <source>{length} from the last point</source>
+        <translation>{length} vom letzten Punkt</translation>
     </message>
     <message>
         <source>Show {label}</source>
@@ -3419,6 +3555,21 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     </message>
 </context>
 <context>
+    <name>Fieldfab_MeasureSection</name>
+    <message>
+        <source>Measure on section</source>
+        <translation>Auf dem Schnitt messen</translation>
+    </message>
+    <message>
+        <source>Measure walls, gaps and distances by clicks on the section plane</source>
+        <translation>Wände, Spalte und Abstände durch Klicks auf die Schnittebene messen</translation>
+    </message>
+    <message>
+        <source>Shows the section plane if there is none. A click on it gives the thickness of the wall, or the width of the gap, from the nearest outline through that point to the other side, and the distance from the last click; clicks near an outline are on it. Choose it again to end measuring.</source>
+        <translation>Zeigt die Schnittebene, wenn es keine gibt. Ein Klick darauf ergibt die Dicke der Wand oder die Weite des Spalts, von der nächsten Kontur durch diesen Punkt zur anderen Seite, und den Abstand zum letzten Klick; Klicks nahe einer Kontur liegen auf ihr. Erneutes Wählen beendet das Messen.</translation>
+    </message>
+</context>
+<context>
     <name>Fieldfab_Mirror</name>
     <message>
         <source>Mirror</source>
@@ -3476,6 +3627,21 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Makes a solid from .frep text or a prefix math string; nothing needs to be selected. The panel has an editor, a slider for each number of the text, and the resolution; the solid is seen while it is written.</source>
         <translation>Macht einen Körper aus .frep-Text oder einer Formel in Präfixschreibweise; es muss nichts ausgewählt sein. Das Aufgabenfenster hat einen Editor, einen Schieber für jede Zahl des Textes und die Auflösung; der Körper ist schon beim Schreiben zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>Fieldfab_NewScriptSolid</name>
+    <message>
+        <source>New Python model</source>
+        <translation>Neues Python-Modell</translation>
+    </message>
+    <message>
+        <source>Make a solid by a Python script that the document keeps</source>
+        <translation>Einen Körper durch ein Python-Skript erzeugen, das im Dokument bleibt</translation>
+    </message>
+    <message>
+        <source>Makes a solid by a Python script; nothing needs to be selected. The panel has an editor, a slider for each named number of the script, and marks the line of an error. The script runs only after you have agreed for the document, in a process of its own; the document keeps the script and the formula that it made.</source>
+        <translation>Erzeugt einen Körper durch ein Python-Skript; nichts muss ausgewählt sein. Das Aufgabenfenster hat einen Editor, einen Schieberegler für jede benannte Zahl des Skripts und markiert die Zeile eines Fehlers. Das Skript läuft erst, nachdem Sie für das Dokument zugestimmt haben, in einem eigenen Prozess; das Dokument behält das Skript und die Formel, die es erzeugt hat.</translation>
     </message>
 </context>
 <context>
@@ -3564,8 +3730,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Die Ansicht mit einer Ebene schneiden, um ins Innere zu sehen, oder wieder alles zeigen</translation>
     </message>
     <message>
-        <source>Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again to show everything; the document is not changed.</source>
-        <translation>Schneidet alle Körper der Ansicht, auch die von Aufgabenfenstern (Scans, das Rohteil einer Simulation), quer zu der Achse, die am meisten auf den Betrachter zeigt; Schnittflächen sind orange. Ziehen am Griff verschiebt die Ebene. Noch einmal wählen zeigt wieder alles; das Dokument ändert sich nicht.</translation>
+        <source>Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again to show everything; the document is not changed. Scans that lie along the plane show their densities on it.</source>
+        <translation>Schneidet alle Körper der Ansicht, auch die der Aufgabenfenster (Scans, das Rohteil einer Simulation), quer zu der Achse, die am meisten auf Sie zeigt; Schnittflächen sind orange. Ziehen Sie den Griff auf der Ebene, um sie zu verschieben. Erneutes Wählen zeigt alles; das Dokument wird nicht verändert. Scans, die entlang der Ebene liegen, zeigen darauf ihre Dichten.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "shade.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,6 +22,41 @@ const auto compass = [] {
 /// The nearest integer; for distances in pixels.
 int nearest(float value) { return static_cast<int>(value + 65536.5F) - 65536; }
 
+/// A pixel's neighbour at a distance, and the part of a row that has it.
+struct Neighbour {
+  int dy, from, to, dx;
+  Neighbour(const PixelGrid& grid, float x, float y) : dy(nearest(y)), from(0), to(0), dx(nearest(x)) {
+    from = std::max(0, -dx), to = std::min(grid.width, grid.width - dx);
+  }
+  [[nodiscard]] bool has_row(const PixelGrid& grid, int row) const { return row + dy >= 0 && row + dy < grid.height; }
+};
+
+/// Raises the slopes to the horizon of a row's pixels to those of their neighbours, `run` mm away.
+__attribute__((target_clones("avx2", "default"))) void raise_horizon(const float* here, const float* there,
+                                                                     float* steepest, int count, float run,
+                                                                     float weight) {
+  for (int x = 0; x < count; ++x) {
+    const float rise = (there[x] - here[x]) / run * weight;
+    steepest[x] = steepest[x] < rise ? rise : steepest[x];
+  }
+}
+
+/// Adds the visible fraction of the sky above each horizon.
+__attribute__((target_clones("avx2", "default"))) void add_sky(const float* steepest, float* sum, int count) {
+  for (int x = 0; x < count; ++x) sum[x] += 1 - steepest[x] / std::sqrt(1 + steepest[x] * steepest[x]);
+}
+
+/// Lowers the fractions of a light that reach a row's pixels to what their neighbours leave of it. `rise`: of the ray
+/// on its way to the neighbour, mm.
+__attribute__((target_clones("avx2", "default"))) void lower_light(const float* here, const float* there, float* open,
+                                                                   int count, float rise, float softness, float run) {
+  for (int x = 0; x < count; ++x) {
+    const float clear = here[x] + rise - there[x];
+    const float left = 0.5F + softness * clear / run;
+    open[x] = left < open[x] ? left : open[x];
+  }
+}
+
 /// Returns the visible fraction of the sky above each pixel, 0 to 1: from horizons in twelve
 /// directions, found in the height map at growing distances.
 std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
@@ -30,22 +66,22 @@ std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
     progress.check();
     const int y = static_cast<int>(row);
-    for (int x = 0; x < grid.width; ++x) {
-      const float here = heights[grid.index(x, y)];
-      if (!std::isfinite(here)) continue;
-      float sum = 0;
-      for (const auto& [cx, cy] : compass) {
-        float steepest = 0;
-        for (float distance = 1.5F; distance < static_cast<float>(reach); distance *= 1.5F) {
-          const int u = x + nearest(cx * distance), v = y + nearest(cy * distance);
-          if (u < 0 || v < 0 || u >= grid.width || v >= grid.height) break;
-          const float rise = (heights[grid.index(u, v)] - here) / (distance * pixel);
-          steepest = std::max(steepest, rise * (1 - distance / static_cast<float>(reach)));
-        }
-        sum += 1 - steepest / std::sqrt(1 + steepest * steepest);
+    const float* const here = &heights[grid.index(0, y)];
+    std::vector<float> sum(static_cast<std::size_t>(grid.width)), steepest(sum.size());
+    for (const auto& [cx, cy] : compass) {
+      std::ranges::fill(steepest, 0.0F);
+      for (float distance = 1.5F; distance < static_cast<float>(reach); distance *= 1.5F) {
+        const Neighbour other(grid, cx * distance, cy * distance);
+        if (!other.has_row(grid, y) || other.from >= other.to) break;
+        raise_horizon(here + other.from, &heights[grid.index(other.from + other.dx, y + other.dy)],
+                      &steepest[static_cast<std::size_t>(other.from)], other.to - other.from, distance * pixel,
+                      1 - distance / static_cast<float>(reach));
       }
-      openness[grid.index(x, y)] = sum / static_cast<float>(compass.size());
+      add_sky(steepest.data(), sum.data(), grid.width);
     }
+    for (int x = 0; x < grid.width; ++x)
+      if (std::isfinite(here[x]))
+        openness[grid.index(x, y)] = sum[static_cast<std::size_t>(x)] / static_cast<float>(compass.size());
   });
   return openness;
 }
@@ -62,18 +98,18 @@ std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& h
   constexpr float softness = 12;  // full light if the clearance exceeds the length of the ray over this
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
     progress.check();
-    for (int x = 0; x < grid.width; ++x) {
-      const std::size_t here = grid.index(x, static_cast<int>(row));
-      if (!std::isfinite(heights[here])) continue;
-      float open = 1;
-      for (float distance = 2; distance < reach && open > 0; distance += 0.5F + 0.03F * distance) {
-        const int u = x + nearest(dx * distance), v = static_cast<int>(row) + nearest(dy * distance);
-        if (u < 0 || v < 0 || u >= grid.width || v >= grid.height) break;
-        const float clear = heights[here] + rise * distance - heights[grid.index(u, v)];
-        open = std::min(open, 0.5F + softness * clear / (distance * pixel));
-      }
-      light[here] = std::max(0.0F, open);
+    const int y = static_cast<int>(row);
+    const float* const here = &heights[grid.index(0, y)];
+    std::vector<float> open(static_cast<std::size_t>(grid.width), 1.0F);
+    for (float distance = 2; distance < reach; distance += 0.5F + 0.03F * distance) {
+      const Neighbour other(grid, dx * distance, dy * distance);
+      if (!other.has_row(grid, y) || other.from >= other.to) break;
+      lower_light(here + other.from, &heights[grid.index(other.from + other.dx, y + other.dy)],
+                  &open[static_cast<std::size_t>(other.from)], other.to - other.from, rise * distance, softness,
+                  distance * pixel);
     }
+    for (int x = 0; x < grid.width; ++x)
+      if (std::isfinite(here[x])) light[grid.index(x, y)] = std::max(0.0F, open[static_cast<std::size_t>(x)]);
   });
   return light;
 }

@@ -1,6 +1,7 @@
 """Runs inside freecadcmd: CAM set-ups, operations, tools and programs as document objects."""
 
 import json
+import math
 import os
 
 import FreeCAD
@@ -265,6 +266,28 @@ def test_every_machine_can_be_chosen(document):
     setup.Xmin = setup.Ymin = 5
     plan = cam_job.Job(setup).plan()
     assert b"YP50;" in plan.program
+
+
+def test_speeds_follow_from_the_chip_load_of_the_material(document):
+    """Feed = spindle speed x edges x chip load; of the tool in the operation, until either has a value of its own."""
+    setup = cam_setup.create(document, part(document))
+    tool = cam_tool.add(setup, {"diameter": 6.35, "flutes": 2})
+    operation = cam_operation.add(setup, "finish")
+    before = operation.Proxy.effective(operation)
+    setup.Material = "aluminium"
+    values = operation.Proxy.effective(operation)
+    assert abs(values["feed"] - values["spindle"] * 2 * 0.127) < 2 and values["feed"] != before["feed"]
+    assert 120 <= values["spindle"] * math.pi * 6.35e-3 <= 250
+    tool.Flutes = 1
+    document.recompute()
+    single = operation.Proxy.effective(operation)
+    assert abs(single["feed"] - single["spindle"] * 0.127) < 2 and single["spindle"] >= values["spindle"]
+    tool.Spindle = 8000
+    document.recompute()
+    assert operation.Proxy.effective(operation)["feed"] == int(8000 * 0.127)
+    operation.Cell = 0.5
+    [moves] = cam_job.Job(setup).plan().moves
+    assert moves[:, 3].max() == int(8000 * 0.127)
 
 
 def test_tool_bits_of_freecad(document):

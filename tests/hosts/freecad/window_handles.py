@@ -8,7 +8,7 @@ from panels import Button, document, edit, frep, panels, shown  # noqa: F401
 from pointer import drag_arrow
 from window import live, press
 
-from fieldfab_workbench.objects import cam_setup, modify
+from fieldfab_workbench.objects import cam_job, cam_setup, modify
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.views.part_view import PartView
 
@@ -173,7 +173,7 @@ def test_a_formula_with_a_mistake_has_no_arrows(document, panels):  # noqa: F811
     press(Button.Cancel)
 
 
-# A job's zero.
+# A job's zero and stock.
 def job(document, text="difference(box(40, 30, 10), move(cylinder(4, 30), 9, 5, 0))"):  # noqa: F811
     part = frep(document, text)
     made = cam_setup.create(document, part)
@@ -183,6 +183,28 @@ def job(document, text="difference(box(40, 30, 10), move(cylinder(4, 30), 9, 5, 
     FreeCADGui.ActiveDocument.ActiveView.getCameraNode().height = 90
     edit(made)
     return made
+
+
+def open_only(panel, box):
+    for each in (panel.part_box, panel.stock_box):
+        each.open(each is box)
+    live(0.1)
+
+
+def test_the_zero_is_dragged_and_snaps_to_a_corner(document, panels):  # noqa: F811
+    made = job(document)
+    panel = panels[-1]
+    open_only(panel, panel.part_box)
+    assert len(arrows(panel)) == 3
+    window.shot("handle_zero")
+    drag_arrow(document, panel.handles, 0, -19.4)
+    assert made.Zero == "point" and made.ZeroPoint.x == pytest.approx(-20, abs=0.02) and made.ZeroPoint.z == 0
+    drag_arrow(document, panel.handles, 2, 3)
+    assert made.ZeroPoint.z == pytest.approx(3, abs=0.4)
+    assert "zero = [-20" in cam_job.Job(made).text
+    window.shot("handle_zero_dragged")
+    press(Button.Cancel)
+    assert made.Zero == "model"
 
 
 def test_the_zero_is_picked_on_a_hole(document, panels):  # noqa: F811
@@ -200,3 +222,26 @@ def test_the_zero_is_picked_on_a_hole(document, panels):  # noqa: F811
     panel._picked(*view.ray(*view.pixel_of((20.3, -14.9, 5))))
     assert tuple(made.ZeroPoint) == pytest.approx((20, -15, 5), abs=0.05)
     press(Button.Cancel)
+
+
+def test_the_stock_is_dragged(document, panels):  # noqa: F811
+    made = job(document)
+    panel = panels[-1]
+    open_only(panel, panel.stock_box)
+    assert len(arrows(panel)) == 3
+    window.shot("handle_stock")
+    drag_arrow(document, panel.handles, 1, 4)
+    assert made.Top.Value == pytest.approx(5, abs=0.6)
+    drag_arrow(document, panel.handles, 0, -9)
+    assert made.Margin.Value == 0
+    panel._set("StockFrom", "Box")
+    made.StockLower, made.StockUpper = FreeCAD.Vector(-25, -20, -8), FreeCAD.Vector(25, 20, 6)
+    panel._fill_stock()
+    panel._refresh()
+    assert len(arrows(panel)) == 6
+    drag_arrow(document, panel.handles, 0, 5)
+    drag_arrow(document, panel.handles, 5, 3)  # the bottom
+    assert made.StockUpper.x == pytest.approx(30, abs=0.6) and made.StockLower.z == pytest.approx(-11, abs=0.6)
+    assert made.StockLower.x == -25 and made.StockUpper.z == 6
+    window.shot("handle_stock_box")
+    press(Button.Ok)

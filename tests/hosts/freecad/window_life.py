@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from window import live, wait
 
-from fieldfab_workbench import kernel
+from fieldfab_workbench import kernel, scripts
 from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, combine, document_object, file_part,
                                         frep_solid, machine_program, modify, openscad_node,
-                                        part_shape, path_of_program, scan, simulation, solid_from_object)
+                                        part_shape, path_of_program, scan, script_solid, simulation, solid_from_object)
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.shim import QtWidgets
 
@@ -76,8 +76,15 @@ def of_source(kind, **values):
     return lambda document, folder: add(document, kind, Source=frep(document), VoxelSize=1, **values)
 
 
+def by_script(document, folder):
+    scripts.agree(document)
+    return add(document, script_solid.ScriptSolid, Script="from fieldfab.shapes import *\nr = 4\nsolid = sphere(r)\n",
+               VoxelSize=1)
+
+
 KINDS = {
     "FrepSolid": lambda document, folder: frep(document),
+    "ScriptSolid": by_script,
     "Scan": a_scan,
     "SolidFromObject": of_source(solid_from_object.SolidFromObject),
     "Combine": lambda document, folder: add(document, combine.Combine, Operation="Difference",

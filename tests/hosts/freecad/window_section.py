@@ -13,8 +13,9 @@ from panels import Button, document, edit, frep, panels, shown  # noqa: F401
 from simulating import opened, simulated  # noqa: F401
 from window import live, press, wait
 
-from fieldfab_workbench import files
+from fieldfab_workbench import files, registry
 from fieldfab_workbench.commands.exchange import COMMANDS
+from fieldfab_workbench.objects import scan
 from fieldfab_workbench.shim import QtCore
 from fieldfab_workbench.views import section
 from fieldfab_workbench.views.part_view import PartView
@@ -38,7 +39,11 @@ def cut(document):  # noqa: F811
     return section.section_of(document)
 
 
-def cap(document, name):  # noqa: F811
+def in_the_colour(pixels):
+    return (np.abs(pixels - 255 * np.array(section.CAP_COLOUR)) < 12).all(axis=-1)
+
+
+def cap(document, name, is_cut=in_the_colour):  # noqa: F811
     """Returns a mask of the view's pixels in the colour of cut faces."""
     picture, view = window.shot(name), PartView(document)
     at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
@@ -46,7 +51,7 @@ def cap(document, name):  # noqa: F811
         picture.Format_RGB888)
     rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
     pixels = rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
-    return (np.abs(pixels - 255 * np.array(section.CAP_COLOUR)) < 12).all(axis=-1)
+    return is_cut(pixels)
 
 
 def share(pixels):
@@ -113,7 +118,7 @@ def test_a_scan_is_cut_while_its_panel_is_open(document, panels):  # noqa: F811
     FreeCADGui.ActiveDocument.ActiveView.viewFront()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     cut(document)
-    seen = cap(document, "section_scan")
+    seen = cap(document, "section_scan", lambda c: (c[..., 0] > c[..., 2] + 50) & (c[..., 0] > 60))
     assert seen.sum() > 2000 and 0.05 < share(seen) < 0.9, "walls, not the whole block"
     press(Button.Cancel)
 
@@ -150,3 +155,80 @@ def test_nothing_to_cut_is_told(document):  # noqa: F811
     with pytest.raises(ValueError, match="no solid to cut"):
         section.toggle(document)
     assert section.section_of(document) is None and FreeCAD.ActiveDocument == document
+
+
+def click_at(document, place):  # noqa: F811
+    """Clicks on a place in the 3D view. Returns what the status bar says then."""
+    view = PartView(document)
+    widget, (x, y) = view.widget(), view.pixel_of(place)
+    scale = view.view.getSize()[0] / widget.width()  # screen pixels per Qt pixel
+    pointer.click(widget, QtCore.QPoint(round(x / scale), round(widget.height() - y / scale)))
+    live(0.3)
+    return FreeCADGui.getMainWindow().statusBar().currentMessage()
+
+
+def test_thickness_and_distance_are_measured(document):  # noqa: F811
+    """A box of 20 mm with a ball of 6 mm radius within: walls of 4 mm, a gap of 12 mm."""
+    frep(document, HOLLOW, 0.25)
+    FreeCADGui.ActiveDocument.ActiveView.viewFront()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    FreeCADGui.runCommand("Fieldfab_MeasureSection")
+    live(0.3)
+    plane = section.section_of(document)
+    assert plane is not None and plane.measure is not None
+    said = click_at(document, (8, 0, 0.4))
+    assert float(said.split()[0].replace(",", ".")) == pytest.approx(4, abs=0.02) and "thick" in said
+    said = click_at(document, (-1, 0, 1))
+    assert float(said.split()[0].replace(",", ".")) == pytest.approx(12, abs=0.05) and "wide" in said
+    assert "from the last point" in said
+    window.shot("section_measure")
+    click_at(document, (-10, 0, 0))
+    said = click_at(document, (10, 0, 0))
+    assert "20" in said.split("; ")[1].split()[0], "both clicks are on the outline"
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    live(0.3)
+    drag_handle(document, -7)
+    assert plane.offset == pytest.approx(-7, abs=1)
+    said = click_at(document, (8, plane.at.y, 0.4))
+    assert float(said.split()[0].replace(",", ".")) == pytest.approx(20, abs=0.1), "the ball is not cut there"
+    FreeCADGui.runCommand("Fieldfab_MeasureSection")
+    assert plane.measure is None and section.section_of(document) is plane
+    cut(document)
+
+
+def test_the_densities_of_a_scan_are_on_the_plane(document, tmp_path):  # noqa: F811
+    """A ball of 8 mm: orange within, grey outside, in its place also after the scan was moved."""
+    import fieldfab as ff
+
+    at = np.indices((24, 28, 32)).transpose(1, 2, 3, 0) - (11.5, 13.5, 15.5)
+    ff.Volume(np.clip(100 + 40 * (8 - np.sqrt((at**2).sum(axis=-1))), 0, 200).astype(np.float32),
+              origin=(-15.5, -13.5, -11.5)).save(tmp_path / "ball.nii")
+    ball = document.addObject("Mesh::FeaturePython", "Ball")
+    scan.Scan(ball)
+    registry.add_view(ball)
+    ball.File = str(tmp_path / "ball.nii")
+    ball.Placement.Base = FreeCAD.Vector(3, 0, 0)
+    document.recompute()
+    FreeCADGui.ActiveDocument.ActiveView.viewFront()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    plane = cut(document)
+    wait(lambda: plane._slices.root.getChild(2).getNumChildren() == 1, 20, "the picture of densities")
+    live(0.3)
+    picture, view = window.shot("section_densities"), PartView(document)
+    corner = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
+    scale = view.view.getSize()[0] / view.widget().width()
+
+    def colour(x, z):
+        u, v = view.pixel_of((x, 0, z))
+        c = picture.pixelColor(round(corner.x() * scale + u), round((corner.y() + view.widget().height()) * scale - v))
+        return c.red(), c.green(), c.blue()
+
+    for x, z, solid in ((3 + 5, 3, True), (3 - 5, -3, True), (3 + 11, 6, False), (3 - 12, -8, False)):
+        red, green, blue = colour(x, z)
+        assert (red > blue + 60) if solid else (abs(red - blue) < 12), (x, z, red, green, blue)
+    ball.AutoThreshold, ball.Threshold = False, 180
+    wait(lambda: plane._slices.shown[2][0][2] == 180, 10, "the new threshold's picture")
+    live(0.3)
+    picture = window.shot("section_densities_180")
+    red, green, blue = colour(3 + 7, 3)
+    assert abs(red - blue) < 12, "at 7 mm the density is 140"

@@ -12,9 +12,10 @@ interface Setting {
   name: string; help: string; unit: string; kind: "flag" | "number" | "text" | "list"; default: Value | null;
   lower: number | null; upper: number | null; whole: boolean;
   choices: string[]; needs: string; needs_values: string[];
+  follows?: string; // instead of a default: what the value follows from
 }
 interface Machine {
-  id: string; name: string; description: string; takes: string; settings: Setting[]; materials: Record<string, unknown>
+  id: string; name: string; description: string; takes: string; settings: Setting[]; materials: Record<string, Values>
 }
 interface Operation { name: string; help: string; settings: Setting[] }
 interface Tables { machines: Machine[]; operations: Operation[]; joining: Setting[] }
@@ -44,7 +45,9 @@ const TOOL: Setting[] = [
   { ...number("tip_diameter", "of a blunt tip"), needs: "shape", needs_values: ["v", "tapered"] },
   number("flute", "length that cuts"), number("length", "from the tip to the holder"),
   number("shank", "diameter of the shank"), number("holder_diameter", "of the holder"),
-  number("holder_length", "of the holder"),
+  number("holder_length", "of the holder"), { ...number("flutes", "number of cutting edges", "", 2), whole: true },
+  number("feed", "of cuts", "mm/min"), number("plunge", "feed of plunges", "mm/min"),
+  number("spindle", "speed of the spindle", "rpm"),
 ];
 const STOCK: Setting[] = [number("margin", "about the part", "mm", 0), number("top", "above the part", "mm", 0),
   number("thickness", "of a flat part")];
@@ -230,7 +233,7 @@ export class MachineView {
     } else {
       const box = input = element("input", {
         type: setting.kind === "number" ? "number" : "text", step: "any",
-        placeholder: setting.default === null ? "auto" : String(setting.default),
+        placeholder: setting.follows ?? (setting.default === null ? "auto" : String(setting.default)),
         value: now === undefined ? "" : String(now),
       });
       if (setting.lower !== null) box.min = String(setting.lower);
@@ -297,6 +300,19 @@ export class MachineView {
     return element("div", { className: "titled" }, host, element("div", { className: "panel-tools" }, add));
   }
 
+  /** Returns the settings of an operation with the defaults that its tool and the job's material make. */
+  private defaultsOf(settings: Setting[], operation: Values, machine: Machine): Setting[] {
+    const tool = this.job.tools.find((each) => Number(each.number) === Number(operation.tool));
+    const material = machine.materials[this.job.material];
+    return settings.map((setting) => {
+      const speed = ["feed", "plunge", "spindle"].includes(setting.name);
+      if (speed && Number(tool?.[setting.name]) > 0) return { ...setting, default: tool![setting.name] };
+      if (!material) return setting;
+      if (setting.name in material) return { ...setting, default: material[setting.name] };
+      return speed && !Object.keys(material).length ? { ...setting, follows: "by material" } : setting;
+    });
+  }
+
   private draw(): void {
     const { job } = this;
     const { machines, operations, joining } = this.tables!;
@@ -334,7 +350,8 @@ export class MachineView {
             }),
           this.choose("Tool", job.tools.map((each) => [String(each.number), toolName(each)]), String(operation.tool),
             (value) => { operation.tool = Number(value); }),
-          element("p", { className: "quiet" }, of.help), this.rows([...of.settings, ...joining], operation));
+          element("p", { className: "quiet" }, of.help),
+          this.rows(this.defaultsOf([...of.settings, ...joining], operation, machine), operation));
       });
     cuts.querySelector(".panel")!.append(this.rows([FEEDS], job as unknown as Values));
     const opened = [...by("panels").querySelectorAll<HTMLDetailsElement>("details")].map(

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fieldfab/cam/base/chip_load.h"
 #include "fieldfab/cam/base/setting.h"
 #include "fieldfab/cam/gcode/motion.h"
 #include "fieldfab/cam/plan/program.h"
@@ -76,10 +77,15 @@ struct Machine {
   std::map<std::string, std::string> text;
   /// the machine's own settings, such as power or speed
   Settings settings;
-  std::map<std::string, std::map<std::string, Value>> materials;  ///< default values by material and setting
-  std::string default_operation;                                  ///< operation for a job that names none
-  std::string file;                                               ///< name of the data file, for messages
+  /// default values by material and setting; where a material has none, its chip load makes them (cutting_values_of)
+  std::map<std::string, std::map<std::string, Value>> materials;
+  std::string default_operation;  ///< operation for a job that names none
+  std::string file;               ///< name of the data file, for messages
 };
+
+/// Returns starting values of feed, plunge and spindle by the chip load of a material, within the machine's limits;
+/// none where the machine has values of its own or no chip load is known for the material, or the tool has no diameter.
+std::optional<CuttingValues> cutting_values_of(const Machine& machine, const std::string& material, const Tool& tool);
 
 /// Returns the contents of the built-in data files by machine id.
 const std::map<std::string, std::string>& machine_files();

@@ -90,6 +90,16 @@ std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double ce
 std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover, const CutSettings& cut,
                           Progress& progress = Progress::none());
 
+/// Cuts along the middles of an area's slots: where it is as wide as the tool, within the tolerance, and at most
+/// `widest` mm wide.
+struct Slots {
+  std::vector<Path> paths;  ///< each pass of a slot runs the other way than the one above
+  /// a place in each slot that is wider than the tool by more than the tolerance: its sides keep material
+  std::vector<Vec2> wide;
+};
+/// Returns the cuts along the slots of an area. Throws Error(bad_input), Error(cancelled).
+Slots slots(const Loops& area, double widest, const CutSettings& cut, Progress& progress = Progress::none());
+
 /// A round hole, mm.
 struct Hole {
   Vec2 centre;
