@@ -41,7 +41,9 @@ struct Samples {
   }
 };
 
-HiddenParts::Top highest_in(const Field& field, const Box& box, int depth) {
+/// Greatest height of the solid in a box, if it is above `known`.
+HiddenParts::Top highest_in(const Field& field, const Box& box, int depth, double known) {
+  if (box.upper.z() <= known) return {nothing, true};
   const Restriction here = field.restricted(box, Purpose::occupancy);
   if (holds_nothing(here.range)) return {nothing, true};
   if (here.range.inside()) return {box.upper.z(), true};
@@ -52,9 +54,9 @@ HiddenParts::Top highest_in(const Field& field, const Box& box, int depth) {
   box.size().maxCoeff(&axis);
   Box upper = box, lower = box;
   upper.lower[axis] = lower.upper[axis] = box.centre()[axis];
-  const HiddenParts::Top first = highest_in(*here.field, upper, depth - 1);
+  const HiddenParts::Top first = highest_in(*here.field, upper, depth - 1, known);
   if (axis == 2 && first.z > nothing) return first;
-  const HiddenParts::Top second = highest_in(*here.field, lower, depth - 1);
+  const HiddenParts::Top second = highest_in(*here.field, lower, depth - 1, std::max(known, first.z));
   return second.z > first.z ? second : first;
 }
 
@@ -93,7 +95,7 @@ void HiddenParts::search(const Field& field, const HeightMap& heights, int left,
 
 HiddenParts::Top HiddenParts::highest(const Field& field, const Box& box) {
   constexpr int depth = 16;
-  return highest_in(field, box, depth);
+  return highest_in(field, box, depth, nothing);
 }
 
 }  // namespace fieldfab::cam

@@ -199,4 +199,5 @@ def test_slots_that_do_not_fit_are_told(tmp_path):
     assert "no slot is between 5 and 5.25 mm wide" in told(5).stderr
     assert "no slot is between 8 and" in told(8).stderr
     wide = told(5, "widest = 6.2")
-    assert wide.returncode == 0 and "is wider than the tool of 5 mm: its sides keep material" in wide.stderr + wide.stdout
+    assert wide.returncode == 0
+    assert "is wider than the tool of 5 mm: its sides keep material" in wide.stderr + wide.stdout

@@ -175,7 +175,7 @@ def environment(folder, **more):
     cache = os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache"))
     return {"FIELDFAB_CACHE": f"{cache}/fieldfab", **kept, "HOME": str(folder / "home"),
             "XDG_RUNTIME_DIR": str(folder / "home"), "LIBGL_ALWAYS_SOFTWARE": "1",
-            # A pytest of its own: at its end it removes older folders of tests, which may take minutes where runs were killed.
+            # A folder of its own: pytest removes old ones at its end, which takes minutes where runs were killed.
             "FIELDFAB_BUILD": str(BUILD), "PYTEST_ADDOPTS": "-p no:cacheprovider", "PYTEST_DEBUG_TEMPROOT": str(folder),
             "PATH": os.pathsep.join(map(str, (folder / "home" / "bin", BUILD / "bin", os.environ["PATH"]))), **more}
 

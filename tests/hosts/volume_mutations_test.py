@@ -11,7 +11,7 @@ from conftest import BUILD, COMMAND
 from volume_test import FORMATS, files
 
 # FIELDFAB_MUTATIONS: number of files per format; FIELDFAB_MUTATION_SECONDS: time limit. `./dev fuzz` sets both.
-COUNT = int(os.environ.get("FIELDFAB_MUTATIONS", "150"))
+COUNT = int(os.environ.get("FIELDFAB_MUTATIONS", "80"))
 SECONDS = float(os.environ.get("FIELDFAB_MUTATION_SECONDS", "inf"))
 SEEDS = ("mha", "mha, compressed", "mhd", "nrrd", "nrrd, gzip", "nhdr", "nifti", "nifti, gzip", "nifti, big-endian",
          "png stack, 16 bit", "dicom", "dicom, scaled")

@@ -13,7 +13,7 @@ import fieldfab as ff
 AXE = BUILD / "web" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def documents(folder):
     (folder / "part.frep").write_text("r = 5  # 1 to 9, radius\npin_x = 0  # -9 to 9\npin_y = 0  # -9 to 9\n"
                                       "circle(r) - move(circle(1), pin_x, pin_y)\n")
@@ -21,10 +21,12 @@ def documents(folder):
     (folder / "plate.frep").write_text("rounded_rectangle(30, 20, 3) - circle(5)\n")
     (folder / "solid.frep").write_text('part(box(20, 12, 6), "body", "red")\n')
     (folder / "wrong.frep").write_text("circlee(5)\n")
-    (folder / "nodes.json").write_text(sheet(("Centre", 0, 0, POINT, []), ("Circle", 16, 12, CIRCLE, [1]),
-                                             ("Broken", 30, 0, "throw new Error('no shape');", [])))
+    for name in ("nodes.json", "group.json"):
+        (folder / name).write_text(sheet(("Centre", 0, 0, POINT, []), ("Circle", 16, 12, CIRCLE, [1]),
+                                         ("Broken", 30, 0, "throw new Error('no shape');", [])))
     at = np.indices((16, 16, 16)) - 7.5
-    ff.Volume(np.clip(100 + 40 * (5 - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32)).save(folder / "ball.nii")
+    ball = np.clip(100 + 40 * (5 - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32)
+    ff.Volume(ball).save(folder / "ball.nii")
     (folder / "scan.frep").write_text('level = 100  # 0 to 200, threshold\nopen("ball.nii", threshold = level)\n')
 
 
@@ -60,8 +62,8 @@ def completion(page):
     page.until(lambda: "rounded_rectangle" in page.text(".cm-tooltip-autocomplete"), "the offer")
 
 
-def a_sheet(page):
-    page.open("nodes.json")
+def a_sheet(page, name="nodes.json"):
+    page.open(name)
     page.until(lambda: page.text("#sheet-message"), "the sheet and its mistake")
 
 
@@ -74,7 +76,7 @@ def a_node_and_the_text(page):
 
 
 def a_group(page):
-    a_sheet(page)
+    a_sheet(page, "group.json")
     page.find("#sheet").click()
     page.find("#sheet").send_keys(Keys.CONTROL + "a")
     page.find("#sheet").send_keys(Keys.CONTROL + "g")
@@ -136,14 +138,16 @@ def a_refused_job(page):
 
 def a_simulation(page):
     a_job(page)
-    set_value(page, "[data-setting=diameter]", 3)
+    set_value(page, "[data-setting=type]", "profile")
     page.find("#simulate").click()
-    page.until(lambda: page.find("#stage").get_attribute("data-shown") or page.text("#job-message"), "a simulation", 200)
+    page.until(lambda: page.find("#stage").get_attribute("data-shown") or page.text("#job-message"),
+               "a simulation", 200)
     assert page.text("#job-message") == ""
 
 
-STATES = (the_gallery, a_document_in_the_gallery, a_text, a_mistake, completion, a_sheet, a_node_and_the_text, a_group,
-          kinds_of_nodes, formats, keys, a_section_and_a_distance, a_scan, a_job, a_refused_job, a_simulation, a_question)
+STATES = (the_gallery, a_document_in_the_gallery, a_text, a_mistake, completion, a_sheet, a_node_and_the_text,
+          a_group, kinds_of_nodes, formats, keys, a_section_and_a_distance, a_scan, a_job, a_refused_job,
+          a_simulation, a_question)
 
 
 def serious(page):

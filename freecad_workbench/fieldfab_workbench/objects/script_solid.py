@@ -68,8 +68,8 @@ class ScriptSolid(FrepSolid):
     def _ask(self, obj):
         """Raises ValueError if the script would have to run and may not."""
         if self.written(obj) != obj.FormulaOf and not scripts.may_run(obj.Document):
-            raise ValueError(tr("{label}: its script may run only after you have agreed; double-click the solid").format(
-                label=obj.Label))
+            told = tr("{label}: its script may run only after you have agreed; double-click the solid")
+            raise ValueError(told.format(label=obj.Label))
 
     def make_mesh(self, obj):
         try:

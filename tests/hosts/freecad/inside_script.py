@@ -90,7 +90,7 @@ def test_mistakes_are_told_with_their_line(document, script, told):
 
 
 def test_parameters_are_numbers_at_the_left_edge():
-    script = ('"""Words\nw = 3\n"""\na = 1  # 0 to 9, side\nfor i in range(3):\n    b = 2\nc = a * 2\nd, e = 1, 2\n'
+    script = ('"""Words\nw = 3\n"""\na = 1  # 0 to 9, side\nfor i in range(3):\n    b = 2\nc = a * 2\nx, y = 1, 2\n'
               "f = 2.5e1\nif a:\n    g = 4\ntext = 'h = 3'\n")
     found = scripts.parameters(script)
     assert {name: each.value for name, each in found.items()} == {"a": 1, "f": 25}
