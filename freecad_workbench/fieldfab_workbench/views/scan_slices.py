@@ -6,8 +6,10 @@ from pivy import coin
 
 from .. import kernel, scans, work
 from ..objects.scan import Scan
+from . import inventor
 
 PARALLEL = 0.99999  # least cosine between the plane's normal and an axis of the scan's samples
+MOST = 400  # samples along a side of a picture
 SOLID_COLOUR = (0.96, 0.66, 0.28)  # as other cut faces have it
 
 
@@ -79,13 +81,19 @@ def _picture(obj, overview, normal, at):
     if densities is None:
         return None
     across, up = (i for i in range(3) if i != axis)
-    corners = []
-    for j, k in ((0, 0), (1, 0), (1, 1), (0, 1)):
-        samples = {axis: index, across: -0.5 + j * volume.size[across], up: -0.5 + k * volume.size[up]}
-        point = origin + sum((axes[i] * (samples[i] * volume.spacing[i]) for i in range(3)), FreeCAD.Vector())
-        corners.append(tuple(place.multVec(point)))
+    step = max(1, -(-max(densities.shape) // MOST))
+    densities = densities[::step, ::step]
+    rows, columns = densities.shape
+
+    def way(i, samples):
+        """Returns the vector along an axis of the lattice, in the document's coordinates."""
+        return np.array(place.Rotation.multVec(axes[i] * (samples * volume.spacing[i])))
+
+    start = np.array(place.multVec(origin)) + way(axis, index)
+    points = (start + np.arange(columns)[None, :, None] * way(across, step)
+              + np.arange(rows)[:, None, None] * way(up, step))
     level = overview.threshold if obj.AutoThreshold else obj.Threshold
-    return _textured(corners, _colours(densities, overview, level, obj.Below))
+    return _coloured(points, _colours(densities, overview, level, obj.Below))
 
 
 def _colours(densities, overview, level, below):
@@ -97,17 +105,15 @@ def _colours(densities, overview, level, below):
     return np.rint(255 * np.where(solid, tinted, 0.85 * grey)).astype(np.uint8)
 
 
-def _textured(corners, colours):
-    """Returns a rectangle with a picture; its first corner is that of the first pixel, and columns go to the second."""
-    root, texture, points, places, face = (coin.SoSeparator(), coin.SoTexture2(), coin.SoCoordinate3(),
-                                           coin.SoTextureCoordinate2(), coin.SoFaceSet())
+def _coloured(points, colours):
+    """Returns the node of a grid of points with colours in between."""
+    root, binding, grid = coin.SoSeparator(), coin.SoMaterialBinding(), coin.SoQuadMesh()
     rows, columns = colours.shape[:2]
-    texture.image.setValue(coin.SbVec2s(columns, rows), 3, colours.tobytes())
-    texture.model = coin.SoTexture2.DECAL
-    texture.wrapS = texture.wrapT = coin.SoTexture2.CLAMP
-    points.point.setValues(0, 4, corners)
-    places.point.setValues(0, 4, [(0, 0), (1, 0), (1, 1), (0, 1)])
-    face.numVertices = 4
-    for node in (texture, places, points, face):
+    packed = (colours.astype(">u4") << np.array([24, 16, 8])).sum(axis=-1) + 255
+    binding.value = coin.SoMaterialBinding.PER_VERTEX
+    grid.verticesPerRow, grid.verticesPerColumn = columns, rows
+    arrays = (inventor.node_bytes("PackedColor", "orderedRGBA", packed.size, packed.astype(">u4")),
+              inventor.node_bytes("Coordinate3", "point", rows * columns, points.astype(">f4")))
+    for node in (*map(inventor.read_node, arrays), binding, grid):
         root.addChild(node)
     return root

@@ -1,6 +1,9 @@
 """Section plane that cuts the contents of a 3D view, so that the inside of solids is visible. The cut faces have one
 flat colour."""
 
+import ctypes
+import functools
+
 import FreeCAD
 import FreeCADGui
 from pivy import coin
@@ -17,6 +20,7 @@ FRAME_COLOUR = (0.75, 0.35, 0.05)
 STOCK = "Fieldfab_stock"  # name of a playback's node
 TICK = 300  # ms between checks for new nodes
 SLICE = 40  # ms from a move of the plane to new pictures of scans
+CULL_FACE, COUNTERCLOCKWISE = 0x0B44, 0x0901  # of OpenGL
 HANDLE = 0.12  # size of the handle relative to the scene's diagonal
 
 
@@ -46,6 +50,8 @@ class Section:
         # These precede the plane, which cuts all nodes after it.
         for place, node in enumerate((self._nodes, self._slices.root, self._measured, self._clip)):
             self._scene.insertChild(node, place)
+        self._end = coin.SoCallback()
+        self._end.setCallback(_show_back_faces)
         self._scene.addChild(self._caps)
         self._slice_timer = QtCore.QTimer(singleShot=True, interval=SLICE)
         self._slice_timer.timeout.connect(self._show_slices)
@@ -68,7 +74,7 @@ class Section:
 
     def close(self):
         self._stop()
-        for node in (self._nodes, self._slices.root, self._measured, self._clip, self._caps):
+        for node in (self._nodes, self._slices.root, self._measured, self._clip, self._caps, self._end):
             self._scene.removeChild(node)
         self._take([])
 
@@ -107,6 +113,11 @@ class Section:
             self._slices.close()
             return
         self._show_slices()
+        last = self._scene.getNumChildren() - 1
+        if self._scene.findChild(self._end) != last:  # also behind what was added meanwhile
+            if self._scene.findChild(self._end) >= 0:
+                self._scene.removeChild(self._end)
+            self._scene.addChild(self._end)
         wanted = self._wanted()
         if wanted != list(self._solids.getChildren() or ()):
             self._take(wanted)
@@ -176,6 +187,22 @@ class Section:
         ):
             root.addChild(node)
         return root
+
+
+def _show_back_faces(data, action):
+    """Ends OpenGL's culling of faces at the end of the scene. Coin leaves it as it is, and FreeCAD's background and
+    navigation cube would be culled."""
+    if action.isOfType(coin.SoGLRenderAction.getClassTypeId()) and _opengl():
+        _opengl().glDisable(CULL_FACE)
+        _opengl().glFrontFace(COUNTERCLOCKWISE)
+
+
+@functools.lru_cache(maxsize=None)
+def _opengl():
+    try:
+        return ctypes.CDLL("libGL.so.1")
+    except OSError:  # another system
+        return None
 
 
 def _overriding(kind, **fields):

@@ -54,6 +54,11 @@ def cap(document, name, is_cut=in_the_colour):  # noqa: F811
     return is_cut(pixels)
 
 
+def background_of(picture):
+    """Returns the colour beside the solid."""
+    return picture.pixelColor(picture.width() - 250, 300).getRgb()
+
+
 def share(pixels):
     """Returns the fraction of their bounding box that the pixels fill."""
     rows, columns = np.nonzero(pixels)
@@ -91,12 +96,14 @@ def test_a_cut_face_has_the_size_of_the_solid_there(document):  # noqa: F811
 
 def test_the_handle_moves_the_plane(document):  # noqa: F811
     frep(document, HOLLOW, 0.5)
+    background = background_of(window.shot("section_uncut"))
     plane = cut(document)
     first = cap(document, "section_middle").sum()
     drag_handle(document, -5)
     assert plane.offset == pytest.approx(-5, abs=1)
     moved = cap(document, "section_moved").sum()
     assert moved > 1.1 * first, "less of the ball is cut"
+    assert background_of(window.shot("section_background")) == background, "the plane cuts the solids alone"
 
 
 def test_what_a_panel_shows_is_cut(document, panels):  # noqa: F811
