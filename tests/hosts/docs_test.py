@@ -337,6 +337,7 @@ ELSEWHERE = {
     ("docs/web.md", "haproxy"): "hosts/web_balancer_test.py drives haproxy with it",
     ("docs/install.md", "cmake"): "hosts/sdk_test.py builds with it",
     ("docs/install.md", "cpp"): "hosts/sdk_test.py builds and runs it",
+    ("docs/freecad.md", "python"): "freecad/inside_script.py makes a solid of it",
     ("docs/tutorial.md", "set"): "freecad/window_tutorial.py types it",
     ("docs/tutorial.md", "tool"): "freecad/window_tutorial.py types it",
     ("docs/architecture.md", "text"): "a drawing",

@@ -2,6 +2,8 @@
 
 import math
 import os
+import pathlib
+import re
 import time
 
 import FreeCAD
@@ -36,6 +38,14 @@ def test_the_default_is_a_plate_with_holes(document):
     solid.count = 3
     document.recompute()
     assert abs(volume(solid) / (6 * math.pi * (25**2 - 3 * 9)) - 1) < 0.02
+
+
+def test_the_script_of_the_documents(document):
+    text = (pathlib.Path(__file__).resolve().parents[3] / "docs" / "freecad.md").read_text()
+    [script] = re.findall(r"^```python\n(.*?)^```", text, re.M | re.S)
+    solid = made(document, script)
+    assert solid.isValid() and abs(volume(solid) / (6 * math.pi * (25**2 - 7 * 9)) - 1) < 0.02
+    assert (solid.count, solid.radius) == (7, 3)
 
 
 def test_nothing_runs_before_the_user_has_agreed(document, tmp_path):
