@@ -133,8 +133,8 @@ COMMANDS = {
     "Fieldfab_Section": SectionPlane(
         "Section", "Section plane", "Cut the view by a plane to see inside, or show everything again",
         "Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis "
-        "that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again "
-        "to show everything; the document is not changed. Scans that lie along the plane show their densities on it."),
+        "that points most to you; cut faces are orange, scans that lie along the plane show their densities on it. "
+        "Drag the handle on the plane to move it. Choose it again to show everything; the document is not changed."),
     "Fieldfab_MeasureSection": MeasureSection(
         "MeasureSection", "Measure on section", "Measure walls, gaps and distances by clicks on the section plane",
         "Shows the section plane if there is none. A click on it gives the thickness of the wall, or the width of the "

@@ -3730,8 +3730,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Die Ansicht mit einer Ebene schneiden, um ins Innere zu sehen, oder wieder alles zeigen</translation>
     </message>
     <message>
-        <source>Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again to show everything; the document is not changed. Scans that lie along the plane show their densities on it.</source>
-        <translation>Schneidet alle Körper der Ansicht, auch die der Aufgabenfenster (Scans, das Rohteil einer Simulation), quer zu der Achse, die am meisten auf Sie zeigt; Schnittflächen sind orange. Ziehen Sie den Griff auf der Ebene, um sie zu verschieben. Erneutes Wählen zeigt alles; das Dokument wird nicht verändert. Scans, die entlang der Ebene liegen, zeigen darauf ihre Dichten.</translation>
+        <source>Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange, scans that lie along the plane show their densities on it. Drag the handle on the plane to move it. Choose it again to show everything; the document is not changed.</source>
+        <translation>Schneidet alle Körper der Ansicht, auch die der Aufgabenfenster (Scans, das Rohteil einer Simulation), quer zu der Achse, die am meisten auf Sie zeigt; Schnittflächen sind orange, Scans, die entlang der Ebene liegen, zeigen darauf ihre Dichten. Ziehen Sie den Griff auf der Ebene, um sie zu verschieben. Erneutes Wählen zeigt alles; das Dokument wird nicht verändert.</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,7 @@ def test_the_window_answers_and_the_newest_wins(document, panels):
     solid = frep(document, "wall = 2.4\n" + frep_solid.DEFAULT.replace("wall = 2.4\n", ""), voxel=4)
     edit(solid)
     row, preview = panels[-1].rows["wall"], panels[-1].preview
+    wait(lambda: panels[-1].handles.handles, 20, "the arrows: Coin reads its draggers when it makes the first one")
     beats = []
     while len(beats) < 3 and min((beat.longest for beat in beats), default=1) > 0.1:
         with Busy() as beat:
