@@ -45,7 +45,8 @@ export class Playback {
   private timer = 0;
 
   constructor(private host: HTMLElement) {
-    const view = element("div", { className: "scene", tabIndex: 0, ariaLabel: "Plan and stock in 3D: drag turns" });
+    const view = element("div",
+      { className: "scene", role: "group", tabIndex: 0, ariaLabel: "Plan and stock in 3D: drag turns" });
     const close = element("button", { title: "Back to the picture" }, "✕");
     close.ariaLabel = "Back to the picture";
     close.onclick = () => { this.stop(); host.hidden = true; };
