@@ -134,7 +134,9 @@ def test_one_is_killed_under_load(balanced):
         assert sum(picture < killed for picture in each.pictures) > 2
         assert sum(picture > killed + 2 for picture in each.pictures) > 2
     assert sum(each.connections > 1 for each in clients) >= 2, "some had their socket at the server that was killed"
-    assert len(list(balanced.documents.iterdir())) == len(clients)
+    # What the killed server was writing may be left beside its file, hidden.
+    left = [path.name for path in balanced.documents.iterdir()]
+    assert sum(not name.startswith(".") for name in left) == len(clients) and len(left) <= len(clients) + 1, left
 
 
 def test_the_page_goes_on(browser, balanced):  # noqa: F811
