@@ -470,7 +470,7 @@ def test_late_results_of_a_sheet_do_not_reach_the_next_document(page, folder):
     assert (folder / "next.frep").read_text() == "circle(8)\n"
 
 
-def test_a_browser_that_is_killed_loses_nothing_that_is_a_second_old(folder, server, tmp_path):
+def test_a_browser_that_is_killed_loses_nothing_that_is_told_to_be_saved(folder, server, tmp_path):
     """SIGKILL of the browser: with a server, what was typed is in the file; without one, in the browser's storage,
     which Chromium writes some seconds later, and the page writes it to the file when both are back."""
     file = folder / "killed.frep"
@@ -484,7 +484,9 @@ def test_a_browser_that_is_killed_loses_nothing_that_is_a_second_old(folder, ser
             if wait == "away":
                 server[0].kill()
             page.type("#editor", Keys.CONTROL + "a", text)
-            time.sleep(1 if wait == "saved" else 10)
+            page.saved(wait)
+            if wait == "away":
+                time.sleep(10)
             for process in browsers(tmp_path / "profile"):
                 os.kill(process, signal.SIGKILL)
             with contextlib.suppress(Exception):  # the driver's, which finds no browser
