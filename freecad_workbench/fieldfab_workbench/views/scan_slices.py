@@ -28,8 +28,8 @@ class ScanSlices:
         self.shown = None  # what the pictures were made of
 
     def show(self, normal, at):
-        """Shows the pictures for a plane. Returns False if some are still being prepared."""
-        wanted, ready = [], True
+        """Shows the pictures for a plane; those that are still being prepared come with a later call."""
+        wanted = []
         for obj in self._document.Objects:
             if not isinstance(getattr(obj, "Proxy", None), Scan) or not obj.ViewObject.Visibility:
                 continue
@@ -37,7 +37,6 @@ class ScanSlices:
                 task = self._overview(obj.Proxy.file(obj))
             except ValueError:  # it has no file now
                 continue
-            ready = ready and not task.is_alive()
             if not task.is_alive() and task.error is None:
                 wanted.append((obj, task.result))
         shown = (tuple(normal), tuple(at), [(obj.Name, obj.Placement.toMatrix().A, obj.Threshold, obj.AutoThreshold,
@@ -48,7 +47,6 @@ class ScanSlices:
             for obj, overview in wanted:
                 if picture := _picture(obj, overview, normal, at):
                     self._pictures.addChild(picture)
-        return ready
 
     def _overview(self, file):
         if file.path.lower().endswith(".asdf"):
