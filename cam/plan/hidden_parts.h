@@ -11,7 +11,8 @@ namespace fieldfab::cam {
 /// A square of a lattice, by its lower left sample, in which the solid may rise above the samples.
 struct SuspectSquare {
   int column, row;
-  FieldPtr field;  ///< valid over the square, within the bounds, from its lowest sample upwards
+  double top;      ///< height above which the solid does not rise there
+  FieldPtr field;  ///< valid over the square, within the bounds, from its lowest sample up to `top`
   bool slopes;     ///< whether it has slopes: then all parts are found, however thin
 };
 
@@ -30,18 +31,21 @@ class HiddenParts {
   void search(const Field& field, const HeightMap& heights, int left, int low, int right, int high,
               const std::function<void(const SuspectSquare&)>& visit) const;
 
-  /// Part of the bounds over the samples (left, low) to (right, high), from their lowest height
-  /// upwards; not valid() if empty.
-  [[nodiscard]] Box above(const HeightMap& heights, int left, int low, int right, int high, double z) const;
-
-  /// Greatest height of the solid in a box.
+  /// Greatest height of the solid in a square.
   struct Top {
-    double z;   ///< upper bound; minus infinity if the box contains no part of the solid
+    double z;   ///< upper bound; minus infinity if the solid rises nowhere above the samples by more than `slack`
     bool sure;  ///< whether a part of the solid there is proved
   };
-  [[nodiscard]] static Top highest(const Field& field, const Box& box);
+  [[nodiscard]] Top highest(const HeightMap& heights, const SuspectSquare& square) const;
 
  private:
+  /// Searches below `top`.
+  void search(const Field& field, const HeightMap& heights, int left, int low, int right, int high, double top,
+              const std::function<void(const SuspectSquare&)>& visit) const;
+  /// Part of the bounds over the samples (left, low) to (right, high), from height `z` up to `top`; not valid() if
+  /// empty.
+  [[nodiscard]] Box above(const HeightMap& heights, int left, int low, int right, int high, double z, double top) const;
+
   Box bounds_;
   double slack_, coarse_slack_;
 };

@@ -59,16 +59,17 @@ class SurfaceSampler {
     surface_->heights_ = HeightMap(wide, high, cell, first, 0);
     mesh_ = MeshHeights::of(field_, {first, first + Vec2(wide - 1, high - 1) * cell});
     surface_->heights_.values =
-        heights_of({first, first + Vec2(wide - 1, high - 1) * cell}, wide, high, bounds_.lower.z());
+        heights_of({first, first + Vec2(wide - 1, high - 1) * cell}, wide, high, bounds_.lower.z(), progress_);
   }
 
   /// Heights at `wide` x `high` points of a rectangle, corners included.
-  [[nodiscard]] std::vector<float> heights_of(const Rectangle& area, int wide, int high, double low) const {
+  [[nodiscard]] std::vector<float> heights_of(const Rectangle& area, int wide, int high, double low,
+                                              Progress& progress) const {
     const Vec2 half(0.5 * area.size().x() / (wide - 1), 0.5 * area.size().y() / (high - 1));
     const Box region{{area.lower.x() - half.x(), area.lower.y() - half.y(), low},
                      {area.upper.x() + half.x(), area.upper.y() + half.y(), bounds_.upper.z()}};
     std::vector<float> found =
-        mesh_ ? mesh_->heights(area, wide, high, low) : heights(field_, region, wide, high, progress_);
+        mesh_ ? mesh_->heights(area, wide, high, low) : heights(field_, region, wide, high, progress);
     const Rectangle inside = Rectangle::of(bounds_).grown(1e-9);
     std::size_t i = 0;
     for (int row = 0; row < high; ++row)
@@ -155,12 +156,8 @@ class SurfaceSampler {
           raise(column, row, {mesh_->highest({fine.place(column, row), fine.place(column + 1, row + 1)}), true});
     } else {
       hidden_.search(field_, fine, 0, 0, fine.width - 1, fine.height - 1, [&](const SuspectSquare& square) {
-        const Box box = hidden_.above(fine, square.column, square.row, square.column + 1, square.row + 1,
-                                      top_of(fine, square.column, square.row) + slack());
-        if (!box.valid()) return;
-        // For a Field without slopes, intervals alone are too loose a bound.
-        const HiddenParts::Top top = HiddenParts::highest(*square.field, box);
-        if (square.slopes || top.sure) raise(square.column, square.row, top);
+        // For a Field without slopes, intervals alone are too loose a bound; the fine samples have to do.
+        if (square.slopes) raise(square.column, square.row, hidden_.highest(fine, square));
       });
     }
     fine = std::move(raised);
@@ -183,12 +180,13 @@ class SurfaceSampler {
     std::vector<Surface::Doubtful> doubtful(squares.size());
     std::atomic<std::size_t> done{0};
     parallel_for(squares.size(), [&](std::size_t k) {
+      progress_.check();
       const int column = static_cast<int>(squares[k] % static_cast<std::size_t>(s.heights_.width));
       const int row = static_cast<int>(squares[k] / static_cast<std::size_t>(s.heights_.width));
       s.fine_index_[squares[k]] = static_cast<std::int32_t>(k);
       HeightMap fine(parts + 1, parts + 1, s.heights_.cell / parts, s.heights_.place(column, row), 0);
       fine.values = heights_of({s.heights_.place(column, row), s.heights_.place(column + 1, row + 1)}, parts + 1,
-                               parts + 1, s.floor_);
+                               parts + 1, s.floor_, Progress::none());
       Surface::Doubtful& here = doubtful[k];
       here.count = raise_ribs(fine, here.place);
       s.fine_[k] = std::move(fine.values);
