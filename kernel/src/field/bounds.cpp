@@ -1,7 +1,10 @@
 #include "fieldfab/field/bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <queue>
+
+#include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
 namespace {
@@ -115,13 +118,16 @@ class BoundsSearch {
   void search(int axis, const Whole& whole) {
     progress_.report(0, "finding the bounds");
     const FieldPtr here = field_.restricted(found_.box, Purpose::occupancy).field;
-    double upper = 0, lower = 0;
-    found_.empty = !find_reach(here, found_.box, axis, 1, whole, progress_, upper) ||
-                   !find_reach(here, found_.box, axis, -1, whole, progress_, lower);
-    found_.bounded[axis] = upper < far_away * 0.99 && lower < far_away * 0.99;
+    std::array<double, 2> reach{};
+    std::array<char, 2> found{};
+    parallel_for(2, [&](std::size_t end) {
+      found[end] = find_reach(here, found_.box, axis, end == 0 ? -1 : 1, whole, progress_, reach[end]) ? 1 : 0;
+    });
+    found_.empty = found[0] == 0 || found[1] == 0;
+    found_.bounded[axis] = reach[0] < far_away * 0.99 && reach[1] < far_away * 0.99;
     if (found_.empty || !found_.bounded[axis]) return;
-    found_.box.upper[axis] = upper;
-    found_.box.lower[axis] = -lower;
+    found_.box.lower[axis] = -reach[0];
+    found_.box.upper[axis] = reach[1];
   }
 
   const Field& field_;
@@ -204,9 +210,9 @@ Box tight_bounds(const Field& field, const Box& bounds, Progress& progress) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!(box.size()[axis] > 0)) continue;
     const FieldPtr here = field.restricted(box, Purpose::occupancy).field;
-    const double upper = nearest_reach(here, box, axis, 1, progress),
-                 lower = -nearest_reach(here, box, axis, -1, progress);
-    if (lower < upper) box.lower[axis] = lower, box.upper[axis] = upper;
+    std::array<double, 2> reach{};
+    parallel_for(2, [&](std::size_t end) { reach[end] = nearest_reach(here, box, axis, end == 0 ? -1 : 1, progress); });
+    if (-reach[0] < reach[1]) box.lower[axis] = -reach[0], box.upper[axis] = reach[1];
   }
   return box;
 }

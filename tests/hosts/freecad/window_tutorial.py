@@ -233,7 +233,8 @@ def cross_check(desk, bust):
     desk.command("Fieldfab_CrossCheck")
     wait(lambda: desk.panel.report is not None and desk.panel.coloured is not None, 90, "the report")
     window.shot("check")
-    assert "passed" in desk.panel.verdict.text(), desk.panel.verdict.text()
+    broken = [(row.name, row.measured, row.bound) for row in desk.panel.report.rows if not row.passed]
+    assert "passed" in desk.panel.verdict.text() and not broken, (desk.panel.verdict.text(), broken)
     press(Button.Close)
 
 
