@@ -12,7 +12,6 @@
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
 #include "fieldfab/openscad/design.h"
-#include "fieldfab/volume/distances.h"
 #include "fieldfab/volume/volume_field.h"
 #include "random_expression.h"
 
@@ -216,32 +215,6 @@ RC_GTEST_PROP(Slopes, OfVolumesAreTight, ()) {
     RC_ASSERT(slopes[i].upper - found[i].upper < 0.02 * steepest &&
               slopes[i].upper - found[i].upper > -1e-3 * steepest);
   }
-}
-
-/// Near the surface, where its own values change over to distances, and farther away.
-RC_GTEST_PROP(Slopes, OfDistancesHoldDifferences, ()) {
-  const double radius = number(2, 4);
-  SampleLattice lattice;
-  lattice.size = {24, 24, 24};
-  lattice.spacing = Vec3::Constant(0.5);
-  lattice.origin = Vec3::Constant(-5.75);
-  std::vector<float> densities;
-  for (int k = 0; k < 24; ++k)
-    for (int j = 0; j < 24; ++j)
-      for (int i = 0; i < 24; ++i)
-        densities.push_back(static_cast<float>(radius - (lattice.origin + 0.5 * Vec3(i, j, k)).norm()));
-  const FieldPtr ball = volume_field(*volume_of(std::move(densities), lattice), {0, false, 1});
-  const double voxel = number(0.2, 0.6);
-  const FieldPtr field = distances(ball, {Vec3::Constant(-4), Vec3::Constant(4)}, {2, voxel});
-  std::size_t known = 0;
-  for (int i = 0; i < 20; ++i) {
-    const Vec3 middle = (radius + number(-3, 3) * voxel) * place(-1, 1).normalized();
-    const Vec3 half = Vec3::Constant(voxel * std::pow(10, number(-2, 0)) / 2);
-    if (!middle.allFinite()) continue;
-    known += expect_slopes_hold(*field, {middle - half, middle + half});
-    expect_slopes_hold(*field->restricted({middle - half, middle + half}).field, {middle - half, middle + half});
-  }
-  RC_ASSERT(known > 0U);
 }
 
 TEST(Slopes, OfVolumesAreUnknownForManyCellsAndWhatIsNoNumber) {

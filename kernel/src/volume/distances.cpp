@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "../field/chunk.h"
-#include "../field/interval_sums.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
@@ -249,30 +248,15 @@ class DistanceField final : public Field {
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
     return range(solid_->interval(box), far_->interval(box));
   }
-  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
-    const Interval own = solid_->interval(box), far = far_->interval(box);
-    if (is_near(far)) return solid_->slopes(box, directions, out);
-    if (is_away(own, far)) return far_->slopes(box, directions, out);
-    std::fill_n(out.begin(), directions.size(), Interval::unknown());
-    // The value jumps where the lattice has missed a part: the signs differ there.
-    const bool outside = own.lower >= 0 && far.lower >= -voxel_, inside = own.upper < 0 && far.upper <= voxel_;
-    if (own.maybe_nan || far.maybe_nan || !(outside || inside)) return;
-    std::vector<Interval> far_slopes(directions.size());
-    solid_->slopes(box, directions, out);
-    far_->slopes(box, directions, far_slopes);
-    for (std::size_t i = 0; i < directions.size(); ++i)
-      out[i] = mixed_slope(own, out[i], far, far_slopes[i], outside ? 1.0F : -1.0F);
-  }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     solid_->restrict_all(boxes, purpose, out);
     if (purpose == Purpose::occupancy) return;  // the solid is the same
     std::vector<Restriction> far(boxes.size());
     far_->restrict_all(boxes, purpose, far);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const Interval own = out[i].range;
-      out[i].range = range(own, far[i].range);
-      if (is_near(far[i].range)) continue;
-      if (is_away(own, far[i].range))
+      const bool away = is_away(out[i].range, far[i].range);
+      out[i].range = range(out[i].range, far[i].range);
+      if (away)
         out[i].field = far[i].field;
       else if (out[i].field == solid_ && far[i].field == far_)
         out[i].field = shared_from_this();
@@ -295,28 +279,11 @@ class DistanceField final : public Field {
     const float share = share_of_far(own, far);
     return share == 0 ? own : share == 1 ? far : own + share * (far - own);
   }
-  /// Slope of own + share * (far - own), by the product rule for differences; `side` is 1 outside the solid, -1 in it.
-  [[nodiscard]] Interval mixed_slope(const Interval& own, const Interval& own_slope, const Interval& far,
-                                     const Interval& far_slope, float side) const {
-    const auto at = [&](float distance) {
-      const float share = std::clamp(side * distance / voxel_ - 1, 0.0F, 1.0F);
-      return plus(times(Interval::of(1 - share), own_slope), times(Interval::of(share), far_slope));
-    };
-    // The share grows by up to 1 / voxel with the distance.
-    const Interval gap{far.lower - own.upper, far.upper - own.lower, false};
-    const Interval growth = times(times(Interval::of(side / voxel_), far_slope), gap);
-    return plus(hull(at(far.lower), at(far.upper)), hull(Interval::of(0), growth));
-  }
-  /// Whether only the solid's own values count in the box.
-  [[nodiscard]] bool is_near(const Interval& far) const {
-    return !far.maybe_nan && far.lower >= -voxel_ && far.upper <= voxel_;
-  }
   /// Whether only distances count in the box.
   [[nodiscard]] bool is_away(const Interval& own, const Interval& far) const {
     return (own.lower >= 0 && !own.maybe_nan && far.lower >= 2 * voxel_) || (own.inside() && far.upper <= -2 * voxel_);
   }
   [[nodiscard]] Interval range(const Interval& own, const Interval& far) const {
-    if (is_near(far)) return own;
     if (is_away(own, far)) return far;
     return {std::min(own.lower, far.lower), std::max(own.upper, far.upper), own.maybe_nan};
   }
