@@ -41,9 +41,11 @@ struct Samples {
   }
 };
 
-/// Lowers the top of a box that is taller than wide as long as its upper half contains nothing.
+/// Lowers the top of a box that is taller than wide as long as its upper half contains nothing. Boxes without width, at
+/// the ends of the bounds, stay.
 void lower_top(const Field& field, Box& box) {
-  while (box.size().z() > box.size().head<2>().maxCoeff()) {
+  const double width = box.size().head<2>().maxCoeff();
+  while (width > 0 && box.size().z() > width) {
     Box upper = box;
     upper.lower.z() = box.centre().z();
     if (!holds_nothing(field.interval(upper))) return;

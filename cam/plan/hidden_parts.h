@@ -31,7 +31,7 @@ class HiddenParts {
   void search(const Field& field, const HeightMap& heights, int left, int low, int right, int high,
               const std::function<void(const SuspectSquare&)>& visit) const;
 
-  /// Greatest height of the solid in a square.
+  /// Greatest height of the solid in a square. Of little use without slopes, where intervals are too loose.
   struct Top {
     double z;   ///< upper bound; minus infinity if the solid rises nowhere above the samples by more than `slack`
     bool sure;  ///< whether a part of the solid there is proved
