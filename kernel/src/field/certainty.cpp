@@ -32,7 +32,8 @@ std::string Certainty::text() const {
   const std::string text = fmt::format(
       "not certain at {} place{}, the largest {:.3g} mm: parts thinner than {:.3g} mm may be missing there ({}", count,
       count == 1 ? "" : "s", largest, thickness, why);
-  if (!(wanted_voxel > 0)) return text + ")";
+  constexpr double most_triangles = 1e9;  // more than anyone wants
+  if (!(wanted_voxel > 0) || wanted_triangles > most_triangles) return text + ")";
   return text + fmt::format("; cells of {:.2g} mm would show them, with some {:.2g} million triangles)", wanted_voxel,
                             std::max(0.01, 1e-6 * wanted_triangles));
 }

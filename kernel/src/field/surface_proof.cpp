@@ -210,9 +210,10 @@ SurfaceProof prove_by_facing(const Field& field, const Box& box, int halvings) {
 
 }  // namespace
 
-SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side,
-                         int halvings) {
-  if (field.faceted()) return prove_by_facing(field, box, halvings);
+namespace {
+
+SurfaceProof prove_by_slopes(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side,
+                             int halvings) {
   const std::size_t given = normals.size();
   add_gradients(field, box, normals);
   const Wanted wanted(halvings);
@@ -253,8 +254,24 @@ SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::
   return proof;
 }
 
+}  // namespace
+
+SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side,
+                         int halvings) {
+  if (field.faceted()) return prove_by_facing(field, box, halvings);
+  SurfaceProof proof = prove_by_slopes(field, box, normals, side, halvings);
+  if (proof.one_sheet || !proof.known) return proof;
+  const FieldPtr merged = field.without_seams();
+  if (!merged) return proof;
+  const SurfaceProof again = prove_by_slopes(*merged, box, normals, side, halvings);
+  proof.one_sheet = again.one_sheet || merged->interval(box).decided();
+  proof.folded = again.folded;
+  return proof;
+}
+
 SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals,
                                   int halvings, int deep) {
+  if (const FieldPtr merged = field.without_seams()) return prove_sheet_by_parts(*merged, box, normals, halvings, deep);
   const Wanted wanted(halvings);
   SurfaceProof proof;
   proof.one_sheet = is_one_sheet_in_slabs(field, box, normals, wanted);

@@ -11,6 +11,7 @@
 #include "prune.h"
 #include "ranges.h"
 #include "scratch.h"
+#include "seams.h"
 #include "slopes.h"
 
 namespace fieldfab::frep {
@@ -127,6 +128,11 @@ class FrepField final : public Field {
     const std::optional<FramedExpression> own = expression_ ? in_own_frame(*expression_) : std::nullopt;
     if (!own) return Field::framed(purpose);
     return {std::make_shared<FrepField>(make_tape(own->expression), engine_), own->axes, Vec3::Zero()};
+  }
+
+  [[nodiscard]] FieldPtr without_seams() const override {
+    Tape merged;
+    return merge_seams(tape_, merged) ? std::make_shared<FrepField>(std::move(merged), engine_) : nullptr;
   }
 
   [[nodiscard]] bool affine() const noexcept override { return is_affine(tape_); }

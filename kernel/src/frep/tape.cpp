@@ -44,6 +44,14 @@ std::uint32_t assign_slots(Clause* code, std::uint32_t count, const std::uint32_
   return slots;
 }
 
+void choose_slots(Tape& tape) {
+  std::vector<std::uint32_t> last_use(first_value + tape.code.size(), ~0U);
+  for (std::uint32_t i = 0; i < tape.code.size(); ++i)
+    for (const Operand argument : {tape.code[i].a, tape.code[i].b})
+      if (!is_constant(argument)) last_use[argument] = i;
+  tape.slots = assign_slots(tape.code.data(), static_cast<std::uint32_t>(tape.code.size()), last_use.data());
+}
+
 Tape make_tape(const Expression& expression) {
   const Flat flat = flatten(expression);
   Tape tape;
@@ -74,11 +82,7 @@ Tape make_tape(const Expression& expression) {
   tape.root = operand.back();
   tape.constants = std::make_shared<const std::vector<float>>(std::move(constants));
   mark_signs(tape);
-  std::vector<std::uint32_t> last_use(first_value + tape.code.size(), ~0U);
-  for (std::uint32_t i = 0; i < tape.code.size(); ++i)
-    for (const Operand argument : {tape.code[i].a, tape.code[i].b})
-      if (!is_constant(argument)) last_use[argument] = i;
-  tape.slots = assign_slots(tape.code.data(), static_cast<std::uint32_t>(tape.code.size()), last_use.data());
+  choose_slots(tape);
   return tape;
 }
 

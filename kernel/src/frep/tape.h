@@ -26,5 +26,7 @@ bool is_affine(const Tape& tape);
 /// Assigns slots. A clause reuses the slot of an argument that is used for the last time, if there
 /// is one. `last_use`, by operand, is the last clause that uses it. Returns the number of slots.
 std::uint32_t assign_slots(Clause* code, std::uint32_t count, const std::uint32_t* last_use);
+/// Assigns the slots of a tape.
+void choose_slots(Tape& tape);
 
 }  // namespace fieldfab::frep
