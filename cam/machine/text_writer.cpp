@@ -152,9 +152,9 @@ class TextWriter {
     if (const Vec3 size = stock.size(); stock.valid() && size.minCoeff() > 0) {
       lines.push_back(
           fmt::format("stock: {} x {} x {} {}", number(size.x()), number(size.y()), number(size.z()), unit()));
-      lines.push_back(fmt::format("zero: {} {u} from its left, {} {u} from its front, {} {u} {} its top",
+      lines.push_back(fmt::format("zero: {0} {4} from its left, {1} {4} from its front, {2} {4} {3} its top",
                                   number(-stock.lower.x()), number(-stock.lower.y()), number(std::abs(stock.upper.z())),
-                                  stock.upper.z() >= 0 ? "below" : "above", fmt::arg("u", unit())));
+                                  stock.upper.z() >= 0 ? "below" : "above", unit()));
     }
     std::set<int> listed;
     double seconds = 0;

@@ -11,7 +11,10 @@ import sys
 import threading
 import time
 
-from PySide2 import QtCore, QtGui, QtWidgets
+try:
+    from PySide2 import QtCore, QtGui, QtWidgets
+except ImportError:  # Qt 6
+    from PySide6 import QtCore, QtGui, QtWidgets
 
 from . import _core as ff
 
@@ -410,7 +413,7 @@ def main(arguments=None):
     application = QtWidgets.QApplication.instance() or QtWidgets.QApplication([arguments[0]])
     window = Window(arguments[0])
     window.show()
-    return application.exec_()
+    return (application.exec_ if hasattr(application, "exec_") else application.exec)()
 
 
 if __name__ == "__main__":

@@ -296,7 +296,10 @@ def test_command_serves(place, folders):
 
 PROBE = """
 import FreeCADGui
-from PySide2 import QtCore
+try:
+    from PySide2 import QtCore
+except ImportError:
+    from PySide6 import QtCore
 def look():
     with open("seen", "w") as file:
         file.write(FreeCADGui.activeWorkbench().name())

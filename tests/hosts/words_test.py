@@ -6,7 +6,10 @@ import string
 
 import pytest
 from conftest import ROOT
-from PySide2 import QtCore
+try:
+    from PySide2 import QtCore
+except ImportError:
+    from PySide6 import QtCore
 
 FOLDER = ROOT / "freecad_workbench" / "resources" / "translations"
 FILES = sorted(FOLDER.glob("fieldfab_*.ts"))

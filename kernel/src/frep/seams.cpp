@@ -20,6 +20,7 @@ struct Term {
 struct Affine {
   Vec3 normal = Vec3::Zero();
   double offset = 0;
+  double greatest = 0;  ///< magnitude of the numbers that were added to the offset: how exact it is
 };
 
 /// The half-space in which a term is negative; the normal has unit length.
@@ -54,11 +55,8 @@ class SeamMerger {
  public:
   explicit SeamMerger(const Tape& tape)
       : tape_(tape), affine_(first_value + tape.code.size()), copies_(affine_.size()), constants_(*tape.constants) {
-    for (Operand axis = 0; axis < first_value; ++axis) affine_[axis] = Affine{Vec3::Unit(axis), 0};
+    for (Operand axis = 0; axis < first_value; ++axis) affine_[axis] = Affine{Vec3::Unit(axis)};
     for (std::size_t i = 0; i < tape.code.size(); ++i) affine_[first_value + i] = affine(tape.code[i]);
-    for (const Clause& clause : tape.code)
-      for (const Operand operand : {clause.a, clause.b})
-        if (is_constant(operand)) tolerance_ = std::max(tolerance_, rounding * std::abs(affine(operand)->offset));
   }
 
   bool run(Tape& merged) {
@@ -76,21 +74,29 @@ class SeamMerger {
   static constexpr double parallel = 1e-6;
   static constexpr double rounding = 3e-7;  // of some operations in single precision, one after another
 
+  /// How far apart two planes may seem to be that are one.
+  static double tolerance(const HalfSpace& one, const HalfSpace& other) {
+    return rounding * std::max(one.greatest, other.greatest);
+  }
+
+  static Affine constant_affine(double value) { return {Vec3::Zero(), value, std::abs(value)}; }
+
   [[nodiscard]] std::optional<Affine> affine(Operand operand) const {
-    return is_constant(operand) ? Affine{Vec3::Zero(), constants_[operand & ~constant_bit]} : affine_[operand];
+    return is_constant(operand) ? constant_affine(constants_[operand & ~constant_bit]) : affine_[operand];
   }
 
   [[nodiscard]] std::optional<Affine> affine(const Clause& clause) const {
     const std::optional<Affine> a = affine(clause.a), b = affine(clause.b);
     if (!a || !b) return {};
     const bool constants = a->normal.isZero(0) && b->normal.isZero(0);
-    if (constants) return Affine{Vec3::Zero(), apply(clause.op, a->offset, b->offset)};
+    if (constants) return constant_affine(apply(clause.op, a->offset, b->offset));
     const auto scaled = [](const Affine& value, double factor) {
-      return Affine{value.normal * factor, value.offset * factor};
+      return Affine{value.normal * factor, value.offset * factor, value.greatest * std::abs(factor)};
     };
+    const double greatest = std::max(a->greatest, b->greatest);
     switch (clause.op) {
-      case Opcode::add: return Affine{a->normal + b->normal, a->offset + b->offset};
-      case Opcode::subtract: return Affine{a->normal - b->normal, a->offset - b->offset};
+      case Opcode::add: return Affine{a->normal + b->normal, a->offset + b->offset, greatest};
+      case Opcode::subtract: return Affine{a->normal - b->normal, a->offset - b->offset, greatest};
       case Opcode::negate: return scaled(*a, -1);
       case Opcode::multiply:
         if (a->normal.isZero(0)) return scaled(*b, a->offset);
@@ -113,7 +119,9 @@ class SeamMerger {
     if (!value) return {};
     const double sign = term.negative ? -1 : 1, length = value->normal.norm();
     if (!std::isfinite(1 / length)) return {};
-    return HalfSpace{{sign / length * value->normal, (sign * value->offset + term.shift) / length}, term};
+    return HalfSpace{{sign / length * value->normal, (sign * value->offset + term.shift) / length,
+                      std::max(value->greatest, std::abs(term.shift)) / length},
+                     term};
   }
 
   /// Whether an operand is never negative, as far as its last operations tell.
@@ -195,13 +203,13 @@ class SeamMerger {
   /// Whether what is known tells that a half-space holds all points that matter, or none; up to rounding.
   [[nodiscard]] std::optional<bool> told(const HalfSpace& plane) const {
     for (const Known& known : known_) {
-      const double inner = known.plane.offset, outer = plane.offset;
+      const double inner = known.plane.offset, outer = plane.offset, near = tolerance(known.plane, plane);
       if ((known.plane.normal - plane.normal).norm() < parallel) {
-        if (known.inside && outer <= inner + tolerance_) return true;
-        if (!known.inside && outer >= inner - tolerance_) return false;
+        if (known.inside && outer <= inner + near) return true;
+        if (!known.inside && outer >= inner - near) return false;
       } else if ((known.plane.normal + plane.normal).norm() < parallel) {
-        if (known.inside && outer >= -inner - tolerance_) return false;
-        if (!known.inside && outer <= -inner + tolerance_) return true;
+        if (known.inside && outer >= -inner - near) return false;
+        if (!known.inside && outer <= -inner + near) return true;
       }
     }
     return {};
@@ -255,7 +263,7 @@ class SeamMerger {
     for (std::size_t i = before; i < between && !common; ++i)
       for (std::size_t j = between; j < known_.size() && !common; ++j)
         if ((known_[i].plane.normal - known_[j].plane.normal).norm() < parallel &&
-            std::abs(known_[i].plane.offset - known_[j].plane.offset) <= tolerance_)
+            std::abs(known_[i].plane.offset - known_[j].plane.offset) <= tolerance(known_[i].plane, known_[j].plane))
           common = known_[i].plane;
     known_.resize(before);
     return common && !told(*common) ? common : std::nullopt;
@@ -313,7 +321,6 @@ class SeamMerger {
   std::vector<std::optional<Affine>> affine_;   // by operand of the tape
   std::vector<std::optional<Operand>> copies_;  // by operand of the tape
   std::vector<float> constants_;                // those of the tape, and more
-  double tolerance_ = 0;
   std::vector<Known> known_;
   std::vector<Part> parts_;
   bool simpler_ = false;

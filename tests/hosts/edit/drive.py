@@ -9,7 +9,10 @@ import time
 import traceback
 
 import numpy as np
-from PySide2 import QtCore, QtGui, QtWidgets
+try:
+    from PySide2 import QtCore, QtGui, QtWidgets
+except ImportError:
+    from PySide6 import QtCore, QtGui, QtWidgets
 
 import fieldfab as ff
 from fieldfab import edit
