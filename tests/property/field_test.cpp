@@ -103,6 +103,37 @@ RC_GTEST_PROP(FieldOperations, IntervalsHoldValuesAndRestrictionChangesNothing, 
   }
 }
 
+/// Boxes about the planes between copies of a solid, and points at these planes, one float after the other.
+RC_GTEST_PROP(FieldOperations, RestrictionAtJumpsChangesNothing, ()) {
+  const double period = number(0.5, 1.5), step = number(0.3, 1);
+  const auto random_part = [&] { return s::move(s::box(number(0.1, 2), number(0.1, 2), 1), number(-1, 1), 0, 0); };
+  const frep::Expression copies = s::repeat_y(s::repeat_x(s::unite(random_part(), random_part()), period), period);
+  const frep::Expression stairs = frep::Expression::z() - step * frep::floor(frep::Expression::x() / step);
+  const FieldPtr solid = frep::make_field(draw(0, 2) == 0 ? s::subtract(stairs, copies) : s::intersect(copies, stairs));
+  const double plane = (draw(0, 2) == 0 ? period / 2 : step) + period * draw(-2, 3);
+  const Box box{Vec3(plane, plane, 0) - Vec3(number(0, 0.4), number(-0.1, 0.4), number(0, 0.4)),
+                Vec3(plane, plane, 0) + Vec3(number(0, 0.4), number(0.2, 0.4), number(0, 0.4))};
+  Cloud cloud(box, 300);
+  for (std::size_t i = 0; i < 100; ++i) {
+    float at = static_cast<float>(plane);
+    for (int n = draw(-9, 10); n != 0; n += n < 0 ? 1 : -1)
+      at = std::nextafter(at, n < 0 ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity());
+    (i % 2 == 0 ? cloud.x : cloud.y)[i] = std::clamp(at, static_cast<float>(box.lower[i % 2 == 0 ? 0 : 1]),
+                                                     static_cast<float>(box.upper[i % 2 == 0 ? 0 : 1]));
+  }
+  std::vector<float> a(cloud.x.size()), b(a), c(a);
+  solid->values(cloud.points(), a.data());
+  const Restriction part = solid->restricted(box), sign = solid->restricted(box, Purpose::occupancy);
+  part.field->values(cloud.points(), b.data());
+  sign.field->values(cloud.points(), c.data());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    RC_ASSERT(a[i] == b[i]);
+    RC_ASSERT((a[i] < 0) == (c[i] < 0));
+    RC_ASSERT(part.range.contains(a[i]) && solid->interval(box).contains(a[i]));
+    RC_ASSERT(!sign.range.decided() || sign.range.inside() == (a[i] < 0));
+  }
+}
+
 RC_GTEST_PROP(FieldOperations, SlopesHoldDifferences, ()) {
   const FieldPtr solid = random_solid(draw(0, 4));
   const Box box = random_box();

@@ -7,6 +7,7 @@
 #include "compiled_tape.h"
 #include "fieldfab/core/error.h"
 #include "frame.h"
+#include "jumps.h"
 #include "mixed_field.h"
 #include "prune.h"
 #include "ranges.h"
@@ -80,7 +81,7 @@ Interval range(const Box& box, int axis) {
 class FrepField final : public Field {
  public:
   FrepField(Tape tape, const Engine& engine, std::optional<Expression> expression = {})
-      : tape_(std::move(tape)), engine_(engine), expression_(std::move(expression)) {}
+      : tape_(std::move(tape)), engine_(engine), expression_(std::move(expression)), has_jumps_(has_jumps(tape_)) {}
 
   void values(const Points& points, float* out) const noexcept override {
     if (const CompiledTape* code = values_code_.after(points.count, tape_, CompiledTape::Makes::values, engine_))
@@ -107,7 +108,14 @@ class FrepField final : public Field {
                                      out + first, slopes.dx + first, slopes.dy + first, slopes.dz + first);
   }
 
-  [[nodiscard]] Interval interval(const Box& box) const noexcept override { return ranges_over(box); }
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override {
+    std::array<Box, most_pieces> pieces;
+    const std::size_t count = has_jumps_ ? divide_at_jumps(tape_, box, pieces) : 1;
+    if (count == 1) return ranges_over(box);
+    std::array<Interval, most_pieces> ranges;
+    for (std::size_t i = 0; i < count; ++i) ranges[i] = ranges_over(pieces[i]);
+    return hull({ranges.data(), count});
+  }
 
   void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
     static_cast<void>(ranges_over(box));
@@ -140,7 +148,14 @@ class FrepField final : public Field {
   [[nodiscard]] std::size_t active_nodes() const { return tape_.code.size(); }
 
  private:
-  void restrict_lanes(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const {
+  /// The ranges and choices of several boxes, one a lane.
+  struct LaneRun {
+    std::array<Interval, box_lanes> ranges;
+    Choice* choices;  ///< valid until the next evaluation in this thread
+  };
+
+  /// `decided_too`: choices also of boxes that the root's range decides.
+  [[nodiscard]] LaneRun evaluate(std::span<const Box> boxes, Purpose purpose, bool decided_too) const {
     IntervalRun run{tape_.code.data(),
                     tape_.code.size(),
                     tape_.constants->data(),
@@ -166,25 +181,72 @@ class FrepField final : public Field {
             .after(16 * boxes.size(), tape_,
                    occupancy ? CompiledTape::Makes::sign_intervals : CompiledTape::Makes::intervals, engine_);
     const std::uint32_t wild = code != nullptr ? code->run(run, root) : engine_.interpreter->intervals(run, root);
-    bool any = false;
+    LaneRun found{{}, run.choices};
     for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
-      Interval& range = out[lane].range;
+      Interval& range = found.ranges[lane];
       range = {root.lower[lane], root.upper[lane], false};
-      out[lane].field = shared_from_this();
       if ((wild >> lane & 1U) != 0) {
         range = ranges_over(boxes[lane]);
-        if (!range.decided()) record_choices(tape_, kept_ranges(), purpose, static_cast<unsigned>(lane), run.choices);
+        if (decided_too || !range.decided())
+          record_choices(tape_, kept_ranges(), purpose, static_cast<unsigned>(lane), run.choices);
       }
-      any |= !range.decided();
+    }
+    return found;
+  }
+
+  void restrict_lanes(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const {
+    const LaneRun run = evaluate(boxes, purpose, false);
+    bool any = false;
+    for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
+      out[lane] = {run.ranges[lane], shared_from_this()};
+      any |= !out[lane].range.decided();
     }
     if (!any) return;
-    static thread_local std::vector<std::uint16_t> kept_needed;
-    std::vector<std::uint16_t>& needed = kept_needed;
+    std::vector<std::uint16_t>& needed = kept_needed();
     mark_needed(tape_, run.choices, needed);
     for (std::size_t lane = 0; lane < boxes.size(); ++lane)
-      if (Tape pruned;
-          !out[lane].range.decided() && prune(tape_, run.choices, needed, static_cast<unsigned>(lane), pruned))
-        out[lane].field = std::make_shared<FrepField>(std::move(pruned), engine_);
+      if (!out[lane].range.decided()) prune_lane(run, needed, lane, out[lane]);
+    if (!has_jumps_) return;
+    for (std::size_t lane = 0; lane < boxes.size(); ++lane)
+      if (!out[lane].range.decided()) restrict_pieces(boxes[lane], purpose, out[lane]);
+  }
+
+  /// Restricts to a box with jumps by its pieces without: what holds in all of them.
+  void restrict_pieces(const Box& box, Purpose purpose, Restriction& out) const {
+    std::array<Box, most_pieces> pieces;
+    const std::size_t count = divide_at_jumps(tape_, box, pieces);
+    if (count == 1) return;
+    const LaneRun run = evaluate({pieces.data(), count}, purpose, true);
+    out.range = hull({run.ranges.data(), count});
+    if (out.range.decided()) return;
+    const auto all = static_cast<std::uint16_t>((1U << count) - 1);
+    for (std::size_t i = 0; i < tape_.code.size(); ++i) {
+      Choice& choice = run.choices[i];
+      const bool first = (choice.first & all) == all, second = !first && ((choice.second & ~choice.first) & all) == all;
+      choice = {static_cast<std::uint16_t>(first ? 1 : 0), static_cast<std::uint16_t>(second ? 1 : 0)};
+    }
+    std::vector<std::uint16_t>& needed = kept_needed();
+    mark_needed(tape_, run.choices, needed);
+    out.field = shared_from_this();
+    prune_lane(run, needed, 0, out);
+  }
+
+  void prune_lane(const LaneRun& run, const std::vector<std::uint16_t>& needed, std::size_t lane,
+                  Restriction& out) const {
+    if (Tape pruned; prune(tape_, run.choices, needed, static_cast<unsigned>(lane), pruned))
+      out.field = std::make_shared<FrepField>(std::move(pruned), engine_);
+  }
+
+  static std::vector<std::uint16_t>& kept_needed() {
+    static thread_local std::vector<std::uint16_t> kept;
+    return kept;
+  }
+
+  static Interval hull(std::span<const Interval> ranges) {
+    Interval all = ranges.front();
+    for (const Interval& range : ranges)
+      all = {std::min(all.lower, range.lower), std::max(all.upper, range.upper), all.maybe_nan || range.maybe_nan};
+    return all;
   }
 
   /// Computes the intervals of all values over a box, in kept_ranges().
@@ -213,6 +275,7 @@ class FrepField final : public Field {
   Tape tape_;
   Engine engine_;
   std::optional<Expression> expression_;  ///< source of the tape; restrictions have none
+  bool has_jumps_;
   LazyCode values_code_, gradients_code_, intervals_code_, sign_intervals_code_;
 };
 
