@@ -192,17 +192,18 @@ class JobReader {
   Solid read_solid(const TomlTable& input) {
     Solid solid = read_models(input);
     Vec3 move = Vec3::Zero();
+    Box part = *solid.bounds;
     if (const auto by = input.list("move")) move = vector_of(input, "move", 0, *by);
     // Position of the program's zero on the part.
     if (const auto given = input.value("zero"); given && std::holds_alternative<std::vector<double>>(*given)) {
       move -= vector_of(input, "zero", 0, *input.list("zero"));
     } else {
       zero_ = input.text("zero").value_or("model");
-      const Box b = zero_ == "model" ? *solid.bounds : tight_bounds(*solid.field, *solid.bounds, progress_);
+      if (zero_ != "model") part = tight_bounds(*solid.field, part, progress_);
       if (zero_ == "corner")
-        move -= Vec3(b.lower.x(), b.lower.y(), b.upper.z());
+        move -= Vec3(part.lower.x(), part.lower.y(), part.upper.z());
       else if (zero_ == "centre")
-        move -= Vec3(b.centre().x(), b.centre().y(), b.upper.z());
+        move -= Vec3(part.centre().x(), part.centre().y(), part.upper.z());
       else if (zero_ != "model")
         throw refuse(input, "zero",
                      fmt::format("zero is '{}'; it must be one of model, corner, centre{}, or a point [x, y, z]", zero_,
@@ -211,7 +212,7 @@ class JobReader {
     move_ = move;
     job_.zero_ = -move;
     if (move != Vec3::Zero()) solid = moved(solid, move);
-    part_ = *solid.bounds;
+    part_ = {part.lower + move, part.upper + move};
     return solid;
   }
 
@@ -432,7 +433,7 @@ class JobReader {
   }
 
   Vec3 move_ = Vec3::Zero();    // of the input
-  Box part_;                    // the input's bounds
+  Box part_;                    // the input's bounds, exact ones if the zero depends on them
   std::string zero_ = "model";  // position of the program's zero on the part
   Job job_;
 };

@@ -13,7 +13,7 @@ machine = "linuxcnc"
 [input]
 model = "part.frep"
 [stock]
-margin = 2
+margin = 4
 top = 0.5
 """ + TOOLS + """
 [[operation]]

@@ -113,9 +113,9 @@ class Field : public std::enable_shared_from_this<Field> {
   [[nodiscard]] virtual Framed framed(Purpose purpose) const;
   [[nodiscard]] Framed framed() const { return framed(Purpose::value); }
 
-  /// Returns a Field with the same sign everywhere but in seams: gaps and skins without thickness, up to rounding, where
-  /// faces of the solid's parts coincide. Null if it finds none, which it may where there are some. Meant for a Field
-  /// that was restricted to a small box.
+  /// Returns a Field with the same sign everywhere but in seams: gaps and skins without thickness, up to rounding,
+  /// where faces of the solid's parts coincide. Null if it finds none, which it may where there are some. Meant for a
+  /// Field that was restricted to a small box.
   [[nodiscard]] virtual FieldPtr without_seams() const { return nullptr; }
 
   /// Whether the function is known to be affine, a + b x + c y + d z up to rounding: a few values then determine all.
