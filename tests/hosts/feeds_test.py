@@ -13,7 +13,7 @@ machine = "linuxcnc"
 [input]
 model = "part.frep"
 [stock]
-margin = 4
+margin = 2
 top = 0.5
 """ + TOOLS + """
 [[operation]]

@@ -8,7 +8,6 @@
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/core/parallel.h"
-#include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
@@ -139,45 +138,6 @@ RC_GTEST_PROP(FieldOperations, SlopesHoldDifferences, ()) {
   const Box box = random_box();
   expect_slopes_hold(*solid, box);
   expect_slopes_hold(*solid->restricted(box).field, box);
-}
-
-/// Whether intervals show that the outermost layer of a box, 1/250 of its longest side, holds nothing, also somewhat
-/// beyond the box's other sides: cells of 1/64 of that, which overlap by half.
-bool is_empty_layer(const Field& field, const Box& box, int axis, bool upper) {
-  constexpr int cells = 128;
-  const double longest = box.size().maxCoeff();
-  const double layer = std::min(box.size()[axis], longest / 250);
-  const Box around = box.grown(longest / 2);
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const Vec3 step = around.size() / cells;
-  Box cell;
-  cell.lower[axis] = upper ? box.upper[axis] - layer : box.lower[axis];
-  cell.upper[axis] = cell.lower[axis] + layer;
-  for (int i = 0; i + 1 < cells; ++i)
-    for (int j = 0; j + 1 < cells; ++j) {
-      cell.lower[u] = around.lower[u] + step[u] * i, cell.upper[u] = around.lower[u] + step[u] * (i + 2);
-      cell.lower[v] = around.lower[v] + step[v] * j, cell.upper[v] = around.lower[v] + step[v] * (j + 2);
-      if (!(field.interval(cell).lower >= 0)) return false;
-    }
-  return true;
-}
-
-RC_GTEST_PROP(FieldOperations, BoundsHoldTheSolidAndHaveNoEmptyLayers, ()) {
-  const FieldPtr solid = random_solid(draw(0, 4));
-  const SolidBounds found = solid_bounds(*solid);
-  const bool bounded = found.is_bounded() && !found.empty;
-  const Cloud cloud(
-      bounded ? found.box.grown(0.2 * found.box.size().maxCoeff()) : Box{Vec3::Constant(-3), Vec3::Constant(3)}, 3000);
-  std::vector<float> values(cloud.x.size());
-  solid->values(cloud.points(), values.data());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i] < 0) {
-      RC_ASSERT(!found.empty);
-      if (bounded) RC_ASSERT(found.box.grown(1e-5).contains(Vec3(cloud.x[i], cloud.y[i], cloud.z[i])));
-    }
-  if (!bounded) return;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const bool upper : {false, true}) RC_ASSERT(!is_empty_layer(*solid, found.box, axis, upper));
 }
 
 RC_GTEST_PROP(AsdfProperties, IntervalsHoldValuesAndRestrictionChangesNothing, ()) {

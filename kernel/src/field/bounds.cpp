@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <queue>
 
 #include "fieldfab/core/parallel.h"
@@ -20,7 +19,6 @@ struct Suspect {
   FieldPtr field;
   double reach;  // coordinate of the box's end in the direction searched
   int depth;     // among equal reaches the smallest box comes first, since a box inside the solid ends the search
-  bool inside = false;
   bool operator<(const Suspect& other) const {
     return reach != other.reach ? reach < other.reach : depth < other.depth;
   }
@@ -32,73 +30,36 @@ bool holds_nothing(const Interval& range) { return range.lower >= 0; }
 /// Axes that a search never divides.
 using Whole = Eigen::Array<bool, 3, 1>;
 
-/// Finds how far the solid reaches in a box along sign * axis, to 1/512 of the box's size. The suspect that reaches
-/// farthest is examined next. It is halved along that axis which raises its least values most: a flat face is found by
-/// boxes as wide as the face, a dome by small ones. Boxes never become longer along the searched axis than across it,
-/// nor much longer along one of the other two: halves that tell nothing new may have halves that do.
-class ReachSearch {
- public:
-  ReachSearch(const Box& within, int axis, double sign, const Whole& whole, Progress& progress)
-      : within_(within), axis_(axis), sign_(sign), progress_(progress) {
-    smallest_ = whole.select(std::numeric_limits<double>::infinity(), within.size().array() / 256);
-    smallest_[axis] = within.size()[axis] / 512;
-  }
-
-  /// Returns nothing if the solid is empty in the box.
-  std::optional<double> run(const FieldPtr& field) {
-    const Restriction all = field->restricted(within_, Purpose::occupancy);
-    for (add(within_, all, 0); !suspects_.empty();) {
-      progress_.check();
-      const Suspect next = suspects_.top();
-      suspects_.pop();
-      if (next.inside || work_ >= most_work || !examine(next)) return next.reach;
+/// Finds how far the solid reaches in `within` along sign * axis, to 1/512 of its size. The suspect
+/// that reaches farthest is examined next: it is discarded, or halved along the axis that was
+/// halved least. Returns false if the solid is empty in `within`.
+bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign, const Whole& whole, Progress& progress,
+                double& reach) {
+  const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
+  const Vec3 size = within.size();
+  std::priority_queue<Suspect> suspects;
+  suspects.push({within, field, reach_of(within), 0});
+  for (std::size_t work = 0; !suspects.empty();) {
+    progress.check();
+    const Suspect next = suspects.top();
+    suspects.pop();
+    work += 10 * next.field->cost() + 1000;
+    const Restriction inside = next.field->restricted(next.box, Purpose::occupancy);
+    if (holds_nothing(inside.range)) continue;
+    reach = next.reach;
+    const Vec3 left = next.box.size();
+    if (inside.range.inside() || left[axis] <= size[axis] / 512 || work >= most_work) return true;
+    int longest = axis;
+    for (int other = 0; other < 3; ++other)
+      if (!whole[other] && left[other] * size[longest] > left[longest] * size[other]) longest = other;
+    for (const bool upper : {false, true}) {
+      Box half = next.box;
+      (upper ? half.lower : half.upper)[longest] = next.box.centre()[longest];
+      suspects.push({half, inside.field, reach_of(half), next.depth + 1});
     }
-    return {};
   }
-
- private:
-  [[nodiscard]] double reach_of(const Box& box) const { return sign_ > 0 ? box.upper[axis_] : -box.lower[axis_]; }
-
-  void add(const Box& box, const Restriction& inside, int depth) {
-    if (holds_nothing(inside.range)) return;
-    suspects_.push({box, inside.field, reach_of(box), depth, inside.range.inside()});
-  }
-
-  /// Adds the halves of a suspect. Returns false if it is as small as they get.
-  bool examine(const Suspect& suspect) {
-    std::array<Box, 6> halves;
-    std::array<Restriction, 6> inside;
-    std::size_t count = 0;
-    const Eigen::Array3d left = suspect.box.size().array() / smallest_;
-    for (int turn = 0; turn < 3; ++turn) {
-      const int axis = (axis_ + turn) % 3;
-      if (!(left[axis] > 1)) continue;
-      if (turn > 0 && (left[axis] < 0.75 * left[axis_] || left[axis] < left.maxCoeff() / 8)) continue;
-      halves[count] = halves[count + 1] = suspect.box;
-      halves[count].upper[axis] = halves[count + 1].lower[axis] = suspect.box.centre()[axis];
-      count += 2;
-    }
-    if (count == 0) return false;
-    suspect.field->restrict_all(std::span(halves).first(count), Purpose::occupancy, std::span(inside).first(count));
-    work_ += 10 * suspect.field->cost() + 1000;
-    std::size_t best = 0;
-    for (std::size_t first = 2; first < count; first += 2)
-      if (least(inside[first]) + least(inside[first + 1]) > least(inside[best]) + least(inside[best + 1])) best = first;
-    for (std::size_t half : {best, best + 1}) add(halves[half], inside[half], suspect.depth + 1);
-    return true;
-  }
-
-  /// The least value, as far as it matters.
-  static double least(const Restriction& inside) { return std::clamp<double>(inside.range.lower, -far_away, 0); }
-
-  Box within_;
-  int axis_;
-  double sign_;
-  Eigen::Array3d smallest_;  // sides that are not halved
-  Progress& progress_;
-  std::priority_queue<Suspect> suspects_;
-  std::size_t work_ = 0;
-};
+  return false;
+}
 
 /// The search of solid_bounds(), in rounds.
 class BoundsSearch {
@@ -157,15 +118,16 @@ class BoundsSearch {
   void search(int axis, const Whole& whole) {
     progress_.report(0, "finding the bounds");
     const FieldPtr here = field_.restricted(found_.box, Purpose::occupancy).field;
-    std::array<std::optional<double>, 2> reach;
+    std::array<double, 2> reach{};
+    std::array<char, 2> found{};
     parallel_for(2, [&](std::size_t end) {
-      reach[end] = ReachSearch(found_.box, axis, end == 0 ? -1 : 1, whole, progress_).run(here);
+      found[end] = find_reach(here, found_.box, axis, end == 0 ? -1 : 1, whole, progress_, reach[end]) ? 1 : 0;
     });
-    found_.empty = !reach[0] || !reach[1];
+    found_.empty = found[0] == 0 || found[1] == 0;
     found_.bounded[axis] = reach[0] < far_away * 0.99 && reach[1] < far_away * 0.99;
     if (found_.empty || !found_.bounded[axis]) return;
-    found_.box.lower[axis] = -*reach[0];
-    found_.box.upper[axis] = *reach[1];
+    found_.box.lower[axis] = -reach[0];
+    found_.box.upper[axis] = reach[1];
   }
 
   const Field& field_;
