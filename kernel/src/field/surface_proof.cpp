@@ -271,7 +271,9 @@ SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::
 
 SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals,
                                   int halvings, int deep) {
-  if (const FieldPtr merged = field.without_seams()) return prove_sheet_by_parts(*merged, box, normals, halvings, deep);
+  // What is no number is outside, which a formula without seams may forget.
+  if (const FieldPtr merged = field.without_seams(); merged && !field.interval(box).maybe_nan)
+    return prove_sheet_by_parts(*merged, box, normals, halvings, deep);
   const Wanted wanted(halvings);
   SurfaceProof proof;
   proof.one_sheet = is_one_sheet_in_slabs(field, box, normals, wanted);
