@@ -134,9 +134,12 @@ HeightMap left_by(const std::vector<Vec3>& tips, const Profile& profile, HeightM
     const int column = static_cast<int>(std::lround((tip.x() - map.origin.x()) / map.cell)),
               row = static_cast<int>(std::lround((tip.y() - map.origin.y()) / map.cell));
     for (int v = std::max(0, row - reach); v <= std::min(map.height - 1, row + reach); ++v)
-      for (int u = std::max(0, column - reach); u <= std::min(map.width - 1, column + reach); ++u)
+      for (int u = std::max(0, column - reach); u <= std::min(map.width - 1, column + reach); ++u) {
+        float& left = map.at(u, v);
+        if (left <= tip.z()) continue;  // no part of a tool is below its tip
         if (const double away = (map.place(u, v) - tip.head<2>()).norm(); away <= profile.radius())
-          map.at(u, v) = std::min(map.at(u, v), static_cast<float>(tip.z() + profile.height(away)));
+          left = std::min(left, static_cast<float>(tip.z() + profile.height(away)));
+      }
   }
   return map;
 }

@@ -47,7 +47,9 @@ std::string tool_table(int number, const std::string& sizes) {
   return fmt::format("[[tool]]\nnumber = {}\ndiameter = 6\n{}\n", number, sizes);
 }
 
-const std::string rough = "[[operation]]\ntype = \"rough\"\nallowance = 0\nstepdown = 3\n";
+/// Coarse, since depths do not depend on it.
+const std::string surface = "cell = 0.4\nsurface_tolerance = 0.05\n";
+const std::string rough = "[[operation]]\ntype = \"rough\"\nallowance = 0\nstepdown = 3\n" + surface;
 
 // A shank no wider than the flutes follows them down, level by level.
 TEST_F(DeepJobs, GoAsDeepAsAskedWhereUpperLevelsMadeRoom) {
@@ -105,7 +107,7 @@ TEST_F(DeepJobs, LeaveTheRestToALongerTool) {
 TEST_F(DeepJobs, BackOutFromOtherSides) {
   for (const char* machine : {"five_axis_ac", "linuxcnc"}) {
     const Job job = plan(tool_table(1, "flute = 8\nshank = 8\nlength = 60"),
-                         "[[operation]]\ntype = \"rough\"\nstepdown = 4\nplane = \"front\"\n", machine);
+                         "[[operation]]\ntype = \"rough\"\nstepdown = 4\nplane = \"front\"\n" + surface, machine);
     EXPECT_EQ(job.notes().size(), 1u) << machine;
     proved();
   }

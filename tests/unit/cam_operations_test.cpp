@@ -89,23 +89,36 @@ TEST(Pocket, ReachesEveryPlaceTheToolFits) {
     SCOPED_TRACE(stepover);
     const Outline whole = outline(area, {{0, 0}, {30, 20}});
     const FieldPtr distance = outline_field(area);
-    std::vector<Vec2> tips;
+    // The squares of the distances from places of a lattice to the nearest tip.
+    const double dx = 0.17, dy = 0.19;
+    const int columns = static_cast<int>(30 / dx) + 1, rows = static_cast<int>(20 / dy) + 1;
+    std::vector<double> nearest(static_cast<std::size_t>(columns * rows), 1e9);
+    const auto cover = [&](const Vec2& tip) {
+      for (int row = std::max(0, static_cast<int>((tip.y() - 1.6) / dy)); row < rows && row * dy < tip.y() + 1.6; ++row)
+        for (int c = std::max(0, static_cast<int>((tip.x() - 1.6) / dx)); c < columns && c * dx < tip.x() + 1.6; ++c) {
+          double& least = nearest[static_cast<std::size_t>(row * columns + c)];
+          least = std::min(least, (tip - Vec2(c * dx, row * dy)).squaredNorm());
+        }
+    };
     for (const Path& path : pocket(whole, {stepover}, cut_of(1.5, 1))) {
       const auto points = points_along(path, 0.05);
-      for (std::size_t i = 1; i < points.size(); ++i)
-        for (int k = 0; k <= 100; ++k) {
-          tips.emplace_back((points[i - 1].at + (points[i].at - points[i - 1].at) * k / 100).head<2>());
-          EXPECT_LE(distance->value({tips.back().x(), tips.back().y(), 0}), -1.5 + 0.01);
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vec3 way = points[i].at - points[i - 1].at;
+        const int steps = 1 + static_cast<int>(way.norm() / 0.01);
+        for (int k = 0; k <= steps; ++k) {
+          const Vec2 tip = (points[i - 1].at + way * k / steps).head<2>();
+          EXPECT_LE(distance->value({tip.x(), tip.y(), 0}), -1.5 + 0.01);
+          cover(tip);
         }
+      }
     }
     // Every point that some permitted position of the tool covers is covered.
     const FieldPtr middles = outline_field(offset(area, -1.5, 0.05));
-    for (double x = 0; x < 30; x += 0.17)
-      for (double y = 0; y < 20; y += 0.19) {
+    for (int row = 0; row < rows; ++row)
+      for (int c = 0; c < columns; ++c) {
+        const double x = c * dx, y = row * dy;
         if (middles->value({x, y, 0}) > 1.5 - 0.03) continue;
-        double nearest = 1e9;
-        for (const Vec2& tip : tips) nearest = std::min(nearest, (tip - Vec2(x, y)).squaredNorm());
-        EXPECT_LE(std::sqrt(nearest), 1.5 + 0.05) << x << " " << y;
+        EXPECT_LE(std::sqrt(nearest[static_cast<std::size_t>(row * columns + c)]), 1.5 + 0.05) << x << " " << y;
       }
   }
 }
@@ -145,11 +158,12 @@ struct Chips {
   /// Area that a disc removes.
   double cut(const Vec2& at, double radius) {
     int count = 0;
-    for (int row = 0; row < cells.height; ++row) {
-      if (std::abs(cells.place(0, row).y() - at.y()) > radius) continue;
-      for (int c = std::max(0, static_cast<int>((at.x() - radius - cells.origin.x()) / cells.cell));
-           c < cells.width && cells.place(c, row).x() < at.x() + radius; ++c)
-        if (cells.at(c, row) != 0 && (cells.place(c, row) - at).norm() < radius) cells.at(c, row) = 0, ++count;
+    const auto first = [&](double from) { return std::max(0, static_cast<int>(std::ceil(from / cells.cell))); };
+    const Vec2 middle = at - cells.origin;
+    for (int row = first(middle.y() - radius); row < cells.height && row * cells.cell < middle.y() + radius; ++row) {
+      const double dy = row * cells.cell - middle.y(), half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
+      for (int c = first(middle.x() - half); c < cells.width && c * cells.cell < middle.x() + half; ++c)
+        if (cells.at(c, row) != 0) cells.at(c, row) = 0, ++count;
     }
     return count * cells.cell * cells.cell;
   }

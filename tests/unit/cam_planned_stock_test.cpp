@@ -187,7 +187,8 @@ class StockJobs : public ::testing::Test {
       std::filesystem::temp_directory_path() / fmt::format("fieldfab_planned_{}", ::getpid());
 };
 
-const std::string rough = "[[operation]]\ntype = \"rough\"\nstepdown = 3\nbottom = -6\n";
+const std::string surface = "cell = 0.4\nsurface_tolerance = 0.05\n";  // coarse, which is quick
+const std::string rough = "[[operation]]\ntype = \"rough\"\nstepdown = 3\nbottom = -6\n" + surface;
 
 // A second roughing of the same stock, with its saved remainder, has little left to do: cells along walls.
 TEST_F(StockJobs, LeaveOutWhatAnEarlierJobDid) {
@@ -199,7 +200,7 @@ TEST_F(StockJobs, LeaveOutWhatAnEarlierJobDid) {
   EXPECT_LT(length, 0.15 * first.reports()[0].length.cut);
   // One level deeper starts in the open step, not at the box's top.
   const Job deeper = plan("deeper", "file = \"first.fieldstock\"",
-                          "[[operation]]\ntype = \"rough\"\nstepdown = 3\nallowance = 0\nbottom = -6\n");
+                          "[[operation]]\ntype = \"rough\"\nstepdown = 3\nallowance = 0\nbottom = -6\n" + surface);
   double highest = -100;
   const std::vector<Move>& moves = deeper.program().sections.at(0).moves;
   for (std::size_t k = 1; k < moves.size(); ++k)
@@ -210,7 +211,7 @@ TEST_F(StockJobs, LeaveOutWhatAnEarlierJobDid) {
 
 // What was cut from above is air for the front.
 TEST_F(StockJobs, SecondPlanesCutNoAir) {
-  const std::string front = "[[operation]]\ntype = \"rough\"\nstepdown = 3\nplane = \"front\"\n";
+  const std::string front = "[[operation]]\ntype = \"rough\"\nstepdown = 3\nplane = \"front\"\n" + surface;
   const Job alone = plan("alone", "margin = 0\ntop = 2", front);
   const Job both = plan("both", "margin = 0\ntop = 2", rough + front);
   double length = 0;

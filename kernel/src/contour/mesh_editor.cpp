@@ -11,23 +11,6 @@ namespace {
 
 constexpr std::uint32_t no_fan = std::numeric_limits<std::uint32_t>::max();
 
-struct FloatBox {
-  Position lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
-  void add(const Position& p) {
-    for (std::size_t i = 0; i < 3; ++i) lower[i] = std::min(lower[i], p[i]), upper[i] = std::max(upper[i], p[i]);
-  }
-  [[nodiscard]] FloatBox grown(float by) const {
-    FloatBox box = *this;
-    for (std::size_t i = 0; i < 3; ++i) box.lower[i] -= by, box.upper[i] += by;
-    return box;
-  }
-  [[nodiscard]] bool meets(const FloatBox& other) const {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (upper[i] < other.lower[i] || other.upper[i] < lower[i]) return false;
-    return true;
-  }
-};
-
 FloatBox box_of(const TriangleMesh& mesh, const Triangle& triangle) {
   FloatBox box;
   for (const std::uint32_t vertex : triangle) box.add(mesh.vertices[vertex]);
@@ -77,8 +60,9 @@ MeshEditor::MeshEditor(TriangleMesh& mesh, std::span<const std::uint32_t> seeds,
       for_cells(box_of(mesh, triangle).grown(static_cast<float>(reach)), cell_,
                 [&](std::uint64_t key) { return triangles_in_.try_emplace(key), true; });
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for_cells(box_of(mesh, mesh.triangles[t]), cell_, [&](std::uint64_t key) {
-      if (const auto found = triangles_in_.find(key); found != triangles_in_.end()) found->second.push_back(t);
+    const FloatBox box = box_of(mesh, mesh.triangles[t]);
+    for_cells(box, cell_, [&](std::uint64_t key) {
+      if (const auto found = triangles_in_.find(key); found != triangles_in_.end()) found->second.push_back({box, t});
       return true;
     });
     for (const std::uint32_t vertex : mesh.triangles[t]) {
@@ -213,8 +197,9 @@ bool MeshEditor::replace(Region& region, std::span<const std::uint32_t> old, std
 }
 
 void MeshEditor::enlist(std::uint32_t triangle) {
-  for_cells(box_of(mesh_, mesh_.triangles[triangle]), cell_, [&](std::uint64_t key) {
-    triangles_in_.at(key).push_back(triangle);
+  const FloatBox box = box_of(mesh_, mesh_.triangles[triangle]);
+  for_cells(box, cell_, [&](std::uint64_t key) {
+    triangles_in_.at(key).push_back({box, triangle});
     return true;
   });
   for (const std::uint32_t vertex : mesh_.triangles[triangle])
@@ -223,7 +208,8 @@ void MeshEditor::enlist(std::uint32_t triangle) {
 
 void MeshEditor::strike(std::uint32_t triangle) {
   for_cells(box_of(mesh_, mesh_.triangles[triangle]), cell_, [&](std::uint64_t key) {
-    if (const auto found = triangles_in_.find(key); found != triangles_in_.end()) std::erase(found->second, triangle);
+    if (const auto found = triangles_in_.find(key); found != triangles_in_.end())
+      std::erase_if(found->second, [&](const Listed& listed) { return listed.triangle == triangle; });
     return true;
   });
   for (const std::uint32_t vertex : mesh_.triangles[triangle])
@@ -239,8 +225,8 @@ bool MeshEditor::fits(Region& region, const Triangle& triangle, std::span<const 
   const bool all_open = for_cells(box, cell_, [&](std::uint64_t key) {
     const auto found = triangles_in_.find(key);
     if (found == triangles_in_.end()) return false;
-    for (const std::uint32_t t : found->second)
-      if (box.meets(box_of(mesh_, mesh_.triangles[t])) && std::find(near.begin(), near.end(), t) == near.end() &&
+    for (const auto& [its, t] : found->second)
+      if (box.meets(its) && std::find(near.begin(), near.end(), t) == near.end() &&
           std::find(old.begin(), old.end(), t) == old.end())
         near.push_back(t);
     return true;

@@ -1,6 +1,8 @@
 /// Changes of a mesh that keep it valid; each is checked with exact predicates first.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -15,6 +17,25 @@ namespace fieldfab::contouring {
 using Position = std::array<float, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 using Cell = std::array<std::int64_t, 3>;  ///< of a grid that covers space
+
+/// Bounds of triangles, which are exact in floats.
+struct FloatBox {
+  Position lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
+
+  void add(const Position& p) {
+    for (std::size_t i = 0; i < 3; ++i) lower[i] = std::min(lower[i], p[i]), upper[i] = std::max(upper[i], p[i]);
+  }
+  [[nodiscard]] FloatBox grown(float by) const {
+    FloatBox box = *this;
+    for (std::size_t i = 0; i < 3; ++i) box.lower[i] -= by, box.upper[i] += by;
+    return box;
+  }
+  [[nodiscard]] bool meets(const FloatBox& other) const {
+    bool apart = false;  // without branches, since lists of boxes are searched
+    for (std::size_t i = 0; i < 3; ++i) apart |= (upper[i] < other.lower[i]) | (other.upper[i] < lower[i]);
+    return !apart;
+  }
+};
 
 /// A closed mesh without self-intersections, opened for small changes near some of its triangles.
 ///
@@ -77,13 +98,18 @@ class MeshEditor {
 
  private:
   [[nodiscard]] bool fits(Region& region, const Triangle& triangle, std::span<const std::uint32_t> old) const;
+  /// A triangle in a cell, and its bounds: searches leave most triangles of a cell at these.
+  struct Listed {
+    FloatBox box;
+    std::uint32_t triangle;
+  };
   void enlist(std::uint32_t triangle);
   void strike(std::uint32_t triangle);
 
   TriangleMesh& mesh_;
   double cell_;
   /// By cell, opened ones only.
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> triangles_in_;
+  std::unordered_map<std::uint64_t, std::vector<Listed>> triangles_in_;
   /// By vertex: index into fans_, or none.
   std::vector<std::uint32_t> fan_of_;
   std::vector<std::vector<std::uint32_t>> fans_;

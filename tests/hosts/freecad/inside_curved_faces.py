@@ -119,7 +119,7 @@ def test_free_forms_become_smooth_faces(document):
 def test_what_has_no_such_faces_keeps_its_triangles(document):
     """A lattice is no CAD part: it has flat faces, as before."""
     solid = solids.create(frep_solid.FrepSolid, document)
-    solid.Expression, solid.VoxelSize = "sphere(6) & shell(gyroid(5), 0.8)", 0.5
+    solid.Expression, solid.VoxelSize = "sphere(4) & shell(gyroid(5), 0.8)", 0.5
     shape = part_shape.create(document, solid)
     shape.MostTriangles = 6000
     document.recompute()
@@ -165,10 +165,10 @@ def body(generator):
 
 
 def test_random_designs_are_right_or_left_alone():
-    """Of 24 random designs three quarters get their few faces at least; each that does is whole and has the mesh's
+    """Of 12 random designs three quarters get their few faces at least; each that does is whole and has the mesh's
     volume."""
     fieldfab, tried, made = kernel.load(), 0, 0
-    for seed in range(100, 124):
+    for seed in range(100, 112):
         generator = random.Random(seed)
         text = body(generator)
         for _ in range(generator.randint(1, 3)):
@@ -185,7 +185,7 @@ def test_random_designs_are_right_or_left_alone():
             made += 1
             assert_whole(shape)
             assert shape.Volume == pytest.approx(mesh.volume, rel=0.005), text
-    assert tried > 20 and made >= 0.75 * tried
+    assert tried >= 10 and made >= 0.75 * tried
 
 
 @pytest.mark.parametrize("ending", ["step", "stp", "iges", "brep"])
