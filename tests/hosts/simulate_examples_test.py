@@ -164,8 +164,8 @@ class Sheet:
 
 
 def test_the_laser_cuts_a_sheet(tmp_path):
-    """12 plates on 300 x 300 mm, in cells of 0.1 mm since the beam is 0.2 mm wide."""
-    sheet = Sheet(tmp_path, slice(-12, None), "[300, 300]")
+    """12 plates on 400 x 500 mm, in cells of 0.1 mm since the beam is 0.2 mm wide."""
+    sheet = Sheet(tmp_path, slice(4, 16), "[400, 500]")
     found = sheet.simulate(sheet.lines)
     assert found["code"] == 0 and not found["events"], found["events"][:5]
     assert found["deviation"]["deepest_gouge"] < 0.05 and 0.95 < found["removed"] / (0.2 * found["cut"]) < 1.01
