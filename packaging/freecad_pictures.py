@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "docs" / "figures"
 # Figure of each screenshot of the tests. Screenshots of the tutorial keep their names.
 FIGURE_OF = {
+    "window_first_part": {"first_part": "tutorial/first_part"},
     "window_solids": {"difference": "freecad"},
     "window_cam": {"cam_planned": "freecad_cam"},
     "window_check": {"check": "freecad_check"},

@@ -15,19 +15,19 @@ class ShapeGallery(Command):
 
     def Activated(self):
         self.gallery = Gallery(FreeCADGui.getMainWindow(), whole=True)
-        self.gallery.inserted.connect(make)
+        self.gallery.inserted.connect(lambda text: make(text, self.gallery.chosen.name))
         self.gallery.show()
 
 
-def make(text):
-    """Adds an f-rep solid with the given text and opens its panel."""
+def make(text, name):
+    """Adds an f-rep solid with the given text, labelled after its shape, and opens its panel."""
     if FreeCADGui.Control.activeDialog():
         FreeCAD.Console.PrintError("Fieldfab: " + tr("close the task panel first") + "\n")
         return
     document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
     document.openTransaction(tr("Shape gallery"))
     obj = solid.create(frep_solid.FrepSolid, document)
-    obj.Expression = text
+    obj.Label, obj.Expression = name.replace("_", " ").capitalize(), text
     if len(document.Objects) == 1:
         FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
     FreeCADGui.ActiveDocument.setEdit(obj.Name)

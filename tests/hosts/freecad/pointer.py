@@ -26,8 +26,10 @@ def turn_wheel(widget, notches=-3, place=None):
              "4" if notches > 0 else "5")
 
 
-def click(widget, place=None):
-    _xdotool("mousemove", *_at(widget, place), "click", "1")
+def click(widget, place=None, held=None):
+    """Clicks a widget, with a key held down."""
+    keys = ([f"key{way}", held] if held else [] for way in ("down", "up"))
+    _xdotool("mousemove", *_at(widget, place), *next(keys), "click", "1", *next(keys))
 
 
 def drag(widget, begin, end, steps=8):
