@@ -119,7 +119,7 @@ def test_free_forms_become_smooth_faces(document):
 def test_what_has_no_such_faces_keeps_its_triangles(document):
     """A lattice is no CAD part: it has flat faces, as before."""
     solid = solids.create(frep_solid.FrepSolid, document)
-    solid.Expression, solid.VoxelSize = "sphere(4) & shell(gyroid(5), 0.8)", 0.5
+    solid.Expression, solid.VoxelSize = "sphere(6) & shell(gyroid(5), 0.8)", 0.5
     shape = part_shape.create(document, solid)
     shape.MostTriangles = 6000
     document.recompute()
