@@ -103,7 +103,7 @@ def test_what_is_wrong_is_said_in_one_line(tmp_path):
     }.items():
         design = tmp_path / "a design's \"name\" $(touch x).scad"
         design.write_text(text)
-        done = run("mesh", design, "-o", tmp_path / "out.stl")
+        done = run("mesh", design, "-o", tmp_path / "out.stl", "--voxel", 3)  # coarse, which is quick
         assert done.returncode == 2 and said in done.stderr and done.stderr.count("\n") == 1, done
     assert not (tmp_path / "x").exists() and not (tmp_path / "out.stl").exists()
 
