@@ -54,7 +54,8 @@ export class Store {
       `This browser has changes of “${name}” that are not in its file, which changed meanwhile. Whose are to be kept?`,
       "This browser's", "The file's") === 0);
     this.begun(name, text, version);
-    this.changedElsewhere = version !== (knownVersion(name) ?? version);
+    // A draft that is in the file was written from here, though its answer did not come before the page was left.
+    this.changedElsewhere = draft?.text !== text && version !== (knownVersion(name) ?? version);
     if (version) knowVersion(name, version);
     if (takesDraft) {
       this.changedElsewhere = false;
