@@ -562,6 +562,14 @@ def test_links_lead_somewhere():
     assert wrong == []
 
 
+def test_the_tutorial_shows_the_pictures_that_its_walks_take():
+    shown = re.findall(r"figures/tutorial/(\w+)\.png", (ROOT / "docs" / "tutorial.md").read_text())
+    walks = [ROOT / "tests" / "hosts" / "freecad" / f"window_{name}.py" for name in ("first_part", "tutorial")]
+    taken = [name for walk in walks for name in re.findall(r'window\.shot\("(\w+)"\)', walk.read_text())]
+    assert sorted(shown) == sorted(taken)
+    assert sorted(shown) == sorted(file.stem for file in (ROOT / "docs" / "figures" / "tutorial").iterdir())
+
+
 def test_files_of_the_tree_exist():
     """Paths may be relative to any folder, such as `frep/tape.cpp`."""
     known = {str(path.relative_to(ROOT)) for top in ROOT.iterdir() if top.name not in ("build", "out", ".git")
