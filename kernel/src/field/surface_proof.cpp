@@ -33,22 +33,53 @@ std::array<Vec3, 3 + edges_of_pyramid> directions_about(const Vec3& outward, dou
   return directions;
 }
 
-/// Adds the directions of the gradients at the corners of a box: where planes meet in it, each of them shows at some
-/// corner.
-void add_gradients(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals) {
-  std::array<float, 8> x, y, z, value, dx, dy, dz;
-  for (unsigned i = 0; i < 8; ++i) {
-    x[i] = static_cast<float>((i & 1U) != 0 ? box.upper.x() : box.lower.x());
-    y[i] = static_cast<float>((i & 2U) != 0 ? box.upper.y() : box.lower.y());
-    z[i] = static_cast<float>((i & 4U) != 0 ? box.upper.z() : box.lower.z());
+/// Corners of boxes, each once. Where planes meet in a box, each of them shows at some corner.
+class Corners {
+ public:
+  void add(const Box& box) {
+    for (unsigned i = 0; i < 8; ++i) {
+      const Vec3 corner((i & 1U) != 0 ? box.upper.x() : box.lower.x(), (i & 2U) != 0 ? box.upper.y() : box.lower.y(),
+                        (i & 4U) != 0 ? box.upper.z() : box.lower.z());
+      add(corner.cast<float>());
+    }
   }
-  field.gradients({x.data(), y.data(), z.data(), 8}, value.data(), {dx.data(), dy.data(), dz.data()});
-  for (unsigned i = 0; i < 8; ++i) {
-    const Eigen::Vector3f gradient(dx[i], dy[i], dz[i]);
-    const float length = gradient.norm();
-    if (std::isfinite(length) && length > 0) normals.push_back(gradient / length);
+
+  /// Adds the directions of the gradients there. They are evaluated in one batch: eight points cost nearly as much as
+  /// thirty.
+  void add_gradients(const Field& field, std::vector<Eigen::Vector3f>& normals) const {
+    std::array<float, most> value, dx, dy, dz;
+    field.gradients({x_.data(), y_.data(), z_.data(), count_}, value.data(), {dx.data(), dy.data(), dz.data()});
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Eigen::Vector3f gradient(dx[i], dy[i], dz[i]);
+      const float length = gradient.norm();
+      if (std::isfinite(length) && length > 0) normals.push_back(gradient / length);
+    }
   }
-}
+
+ private:
+  void add(const Eigen::Vector3f& corner) {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (x_[i] == corner.x() && y_[i] == corner.y() && z_[i] == corner.z()) return;
+    x_[count_] = corner.x(), y_[count_] = corner.y(), z_[count_] = corner.z();
+    ++count_;
+  }
+
+  static constexpr std::size_t most = 64;  // of eight boxes
+  std::array<float, most> x_, y_, z_;
+  std::size_t count_ = 0;
+};
+
+/// Parts of a box, and the Field in each.
+struct Parts {
+  Parts(const Field& field, const std::array<Box, 8>& boxes) : box(boxes) {
+    field.restrict_all(box, Purpose::value, here);
+  }
+  /// Whether the Field's interval leaves room for a surface in a part.
+  [[nodiscard]] bool undecided(std::size_t part) const { return !here[part].range.decided(); }
+
+  std::array<Box, 8> box;
+  std::array<Restriction, 8> here;
+};
 
 /// The cone about the directions that the surface is seen to face: its axis, and the cosine of its half angle.
 struct Cone {
@@ -121,6 +152,8 @@ std::array<Box, 8> halves(const Box& box) {
   return parts;
 }
 
+bool grow_where_undecided(const Parts& parts, std::span<const Vec3> directions, int depth);
+
 /// Whether the Field grows along all `directions` wherever in the box its interval leaves room for a surface, as far as
 /// its halves and quarters tell.
 bool grows_where_undecided(const Field& field, const Box& box, std::span<const Vec3> directions, int depth) {
@@ -128,25 +161,30 @@ bool grows_where_undecided(const Field& field, const Box& box, std::span<const V
   field.slopes(box, directions, slopes);
   if (grows(slopes)) return true;
   if (depth == 0) return false;
-  const std::array<Box, 8> parts = halves(box);
-  std::array<Restriction, 8> here;
-  field.restrict_all(parts, Purpose::value, here);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!here[i].range.decided() && !grows_where_undecided(*here[i].field, parts[i], directions, depth - 1))
+  const Parts parts(field, halves(box));
+  return grow_where_undecided(parts, directions, depth - 1);
+}
+
+bool grow_where_undecided(const Parts& parts, std::span<const Vec3> directions, int depth) {
+  for (std::size_t i = 0; i < parts.box.size(); ++i)
+    if (parts.undecided(i) && !grows_where_undecided(*parts.here[i].field, parts.box[i], directions, depth))
       return false;
   return true;
 }
 
-/// The gradients at the corners of a box, or of those of its parts that the Field's interval leaves room for a surface
-/// in.
-void add_gradients_where_undecided(const Field& field, const Box& box, int depth,
+/// Adds the gradients at the corners of those parts that may hold a surface, or of their halves.
+void add_gradients_where_undecided(const Field& field, const Parts& parts, int depth,
                                    std::vector<Eigen::Vector3f>& normals) {
-  if (depth == 0) return add_gradients(field, box, normals);
-  const std::array<Box, 8> parts = halves(box);
-  std::array<Restriction, 8> here;
-  field.restrict_all(parts, Purpose::value, here);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!here[i].range.decided()) add_gradients_where_undecided(*here[i].field, parts[i], depth - 1, normals);
+  Corners corners;
+  for (std::size_t i = 0; i < parts.box.size(); ++i) {
+    if (!parts.undecided(i)) continue;
+    if (depth == 0)
+      corners.add(parts.box[i]);
+    else
+      add_gradients_where_undecided(*parts.here[i].field, {*parts.here[i].field, halves(parts.box[i])}, depth - 1,
+                                    normals);
+  }
+  if (depth == 0) corners.add_gradients(field, normals);
 }
 
 /// Eight slabs of a box across an axis.
@@ -165,31 +203,33 @@ std::array<Box, 8> slabs(const Box& box, Eigen::Index axis) {
   return parts;
 }
 
-/// Whether the slabs across the axis that the surface is seen to face most show one sheet: of thin plates along the
-/// axes the other face lies in slabs of its own.
-bool is_one_sheet_in_slabs(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals,
-                           const Wanted& wanted) {
-  if (normals.empty()) return false;
-  Eigen::Vector3f facing = Eigen::Vector3f::Zero();
-  for (const Eigen::Vector3f& normal : normals) facing += normal.cwiseAbs();
-  Eigen::Index axis = 0;
-  facing.maxCoeff(&axis);
-  const std::array<Box, 8> parts = slabs(box, axis);
-  std::array<Restriction, 8> here;
-  field.restrict_all(parts, Purpose::value, here);
+/// Tries the proof from parts: where the Field grows in each along the edges of a pyramid about the cone of directions
+/// that the surface faces there. Parts that are decided lie on one side whatever their slopes.
+SurfaceProof prove_by_parts(const Field& field, const Parts& parts, std::vector<Eigen::Vector3f>& normals,
+                            const Wanted& wanted, int gradients_deep, int deep) {
   const std::size_t given = normals.size();
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!here[i].range.decided()) add_gradients(*here[i].field, parts[i], normals);
+  add_gradients_where_undecided(field, parts, gradients_deep, normals);
   const Cone cone = cone_about(normals, wanted.least_cosine());
   normals.resize(given);
-  if (cone.cosine < wanted.least_cosine()) return false;
+  SurfaceProof proof;
+  proof.folded = cone.cosine < wanted.least_cosine();
+  if (proof.folded) return proof;
   const auto directions = wanted.directions(cone);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!here[i].range.decided() &&
-        !grows_where_undecided(*here[i].field, parts[i], {directions.data() + 3, edges_of_pyramid}, 0))
-      return false;
-  return true;
+  proof.one_sheet = grow_where_undecided(parts, {directions.data() + 3, edges_of_pyramid}, deep);
+  return proof;
 }
+
+/// The axis that the surface is seen to face most, and whether it is seen to face nothing else.
+struct MainAxis {
+  explicit MainAxis(const std::vector<Eigen::Vector3f>& normals) {
+    Eigen::Vector3f facing = Eigen::Vector3f::Zero();
+    for (const Eigen::Vector3f& normal : normals) facing += normal.cwiseAbs();
+    constexpr float all = 0.999F;
+    only = facing.maxCoeff(&axis) > all * static_cast<float>(normals.size());
+  }
+  Eigen::Index axis = 0;
+  bool only = false;
+};
 
 /// prove_sheet() from Field::facing(). Edges of triangles are not folded unless they are sharper than 30 degrees: those
 /// of scans are too many, and are seen all the same.
@@ -215,7 +255,9 @@ namespace {
 SurfaceProof prove_by_slopes(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side,
                              int halvings) {
   const std::size_t given = normals.size();
-  add_gradients(field, box, normals);
+  Corners corners;
+  corners.add(box);
+  corners.add_gradients(field, normals);
   const Wanted wanted(halvings);
   const Cone cone = cone_about(normals, wanted.least_cosine());
   normals.resize(given);
@@ -237,12 +279,14 @@ SurfaceProof prove_by_slopes(const Field& field, const Box& box, std::vector<Eig
   const std::span<Interval> along{slopes.data() + 3, edges_of_pyramid};
   proof.one_sheet = grows(along);
   // Where a face of the solid may reach into the box that no sample is on, the directions in which the Field may fall
-  // tell which way to turn.
+  // tell which way to turn. Where it may fall by much along all of them, no turn helps.
   constexpr int turns = 3;
   constexpr double step = 0.3;
   auto edges = directions;
   Vec3 axis = cone.axis.cast<double>();
-  for (int turn = 0; turn < turns && !proof.one_sheet; ++turn) {
+  const bool hopeless =
+      std::all_of(along.begin(), along.end(), [](const Interval& slope) { return slope.lower < -0.2F * slope.upper; });
+  for (int turn = 0; turn < turns && !proof.one_sheet && !hopeless; ++turn) {
     Vec3 away = Vec3::Zero();
     for (std::size_t i = 0; i < edges_of_pyramid; ++i) away += std::min(0.0F, along[i].lower) * (edges[3 + i] - axis);
     if (!(away.norm() > 0)) break;
@@ -275,27 +319,19 @@ SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vecto
   if (const FieldPtr merged = field.without_seams(); merged && !field.interval(box).maybe_nan)
     return prove_sheet_by_parts(*merged, box, normals, halvings, deep);
   const Wanted wanted(halvings);
+  const MainAxis main(normals);
+  const auto prove_by_slabs = [&] {
+    return prove_by_parts(field, {field, slabs(box, main.axis)}, normals, wanted, 0, 0);
+  };
   SurfaceProof proof;
-  proof.one_sheet = is_one_sheet_in_slabs(field, box, normals, wanted);
+  if (main.only) proof = prove_by_slabs();
   if (proof.one_sheet) return proof;
-  const std::array<Box, 8> parts = halves(box);
-  std::array<Restriction, 8> here;
-  field.restrict_all(parts, Purpose::value, here);
-  const std::size_t given = normals.size();
-  for (int depth = 0; depth <= std::min(deep, 1) && !proof.one_sheet; ++depth) {
-    normals.resize(given);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (!here[i].range.decided()) add_gradients_where_undecided(*here[i].field, parts[i], depth, normals);
-    const Cone cone = cone_about(normals, wanted.least_cosine());
-    proof.folded = cone.cosine < wanted.least_cosine();
-    if (proof.folded) continue;
-    const auto directions = wanted.directions(cone);
-    const std::span<const Vec3> edges{directions.data() + 3, edges_of_pyramid};
-    proof.one_sheet = true;
-    for (std::size_t i = 0; i < parts.size() && proof.one_sheet; ++i)
-      proof.one_sheet = here[i].range.decided() || grows_where_undecided(*here[i].field, parts[i], edges, deep);
-  }
-  return proof;
+  const Parts parts(field, halves(box));
+  proof = prove_by_parts(field, parts, normals, wanted, 0, deep);
+  if (proof.one_sheet) return proof;
+  if (!main.only && !normals.empty())
+    if (const SurfaceProof of_slabs = prove_by_slabs(); of_slabs.one_sheet) return of_slabs;
+  return deep > 0 ? prove_by_parts(field, parts, normals, wanted, 1, deep) : proof;
 }
 
 }  // namespace fieldfab

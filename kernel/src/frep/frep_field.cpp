@@ -203,9 +203,9 @@ class FrepField final : public Field {
     }
     if (!any) return;
     std::vector<std::uint16_t>& needed = kept_needed();
-    mark_needed(tape_, run.choices, needed);
+    const unsigned simpler = mark_needed(tape_, run.choices, needed);
     for (std::size_t lane = 0; lane < boxes.size(); ++lane)
-      if (!out[lane].range.decided()) prune_lane(run, needed, lane, out[lane]);
+      if (!out[lane].range.decided() && (simpler >> lane & 1U) != 0) out[lane].field = pruned(run, needed, lane);
     if (!has_jumps_) return;
     for (std::size_t lane = 0; lane < boxes.size(); ++lane)
       if (!out[lane].range.decided()) restrict_pieces(boxes[lane], purpose, out[lane]);
@@ -226,15 +226,14 @@ class FrepField final : public Field {
       choice = {static_cast<std::uint16_t>(first ? 1 : 0), static_cast<std::uint16_t>(second ? 1 : 0)};
     }
     std::vector<std::uint16_t>& needed = kept_needed();
-    mark_needed(tape_, run.choices, needed);
-    out.field = shared_from_this();
-    prune_lane(run, needed, 0, out);
+    const bool simpler = (mark_needed(tape_, run.choices, needed) & 1U) != 0;
+    out.field = simpler ? pruned(run, needed, 0) : shared_from_this();
   }
 
-  void prune_lane(const LaneRun& run, const std::vector<std::uint16_t>& needed, std::size_t lane,
-                  Restriction& out) const {
-    if (Tape pruned; prune(tape_, run.choices, needed, static_cast<unsigned>(lane), pruned))
-      out.field = std::make_shared<FrepField>(std::move(pruned), engine_);
+  [[nodiscard]] FieldPtr pruned(const LaneRun& run, const std::vector<std::uint16_t>& needed, std::size_t lane) const {
+    Tape left;
+    prune(tape_, run.choices, needed, static_cast<unsigned>(lane), left);
+    return std::make_shared<FrepField>(std::move(left), engine_);
   }
 
   static std::vector<std::uint16_t>& kept_needed() {

@@ -23,19 +23,22 @@ struct Workspace {
 
 }  // namespace
 
-void mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint16_t>& needed) {
+std::uint16_t mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint16_t>& needed) {
   needed.assign(first_value + tape.code.size(), 0);
   std::uint16_t* const lanes = needed.data();
   lanes[place_of(tape.root)] = 0xffff;
+  unsigned simpler = 0;
   for (std::size_t i = tape.code.size(); i-- > 0;) {
     const Clause& clause = tape.code[i];
     const std::uint16_t here = lanes[first_value + i];
+    simpler |= ~here | choices[i].first | choices[i].second;
     lanes[place_of(clause.a)] |= static_cast<std::uint16_t>(here & ~(choices[i].second & ~choices[i].first));
     lanes[place_of(clause.b)] |= static_cast<std::uint16_t>(here & ~choices[i].first);
   }
+  return static_cast<std::uint16_t>(simpler);
 }
 
-bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane,
+void prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane,
            Tape& pruned) {
   static thread_local Workspace kept_workspace;
   Workspace& work = kept_workspace;
@@ -43,14 +46,10 @@ bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint1
   work.kept.resize(count + 1);
   std::uint32_t* const kept = work.kept.data();
   std::uint32_t left = 0;
-  unsigned chosen = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const unsigned here = needed[first_value + i] >> lane & 1U;
-    chosen |= here & static_cast<unsigned>((choices[i].first | choices[i].second) >> lane);
     kept[left] = i;
-    left += here;
+    left += needed[first_value + i] >> lane & 1U;
   }
-  if (chosen == 0 && left == count) return false;
 
   work.renamed.resize(first_value + count);
   work.code.resize(left + 1);
@@ -81,7 +80,6 @@ bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint1
   pruned.constants = tape.constants;
   pruned.slots = assign_slots(work.code.data(), made, last_use);
   pruned.code.assign(work.code.data(), work.code.data() + made);
-  return true;
 }
 
 }  // namespace fieldfab::frep

@@ -7,12 +7,11 @@
 namespace fieldfab::frep {
 
 /// Finds the values that are needed, given `choices`: `needed` gets an entry for each operand, with
-/// one bit per lane. Linear, for all lanes at once.
-void mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint16_t>& needed);
+/// one bit per lane. Returns the lanes in which the tape gets simpler. Linear, for all lanes at once.
+std::uint16_t mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint16_t>& needed);
 
-/// Writes the code that matters in the box of one lane (Algs 3.3 and 3.4). Returns false, and
-/// leaves `pruned` unchanged, if no clause can be removed.
-bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane,
+/// Writes the code that matters in the box of one lane (Algs 3.3 and 3.4).
+void prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane,
            Tape& pruned);
 
 }  // namespace fieldfab::frep

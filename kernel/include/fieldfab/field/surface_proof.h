@@ -33,9 +33,10 @@ SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::
                          int halvings);
 
 /// Tries the proof for one cell after prove_sheet() failed, from the parts in which the Field's interval permits a
-/// surface: first from slabs across the axis that `normals` face most, then from halves, which are halved up to `deep`
-/// times. The other parts lie on one side whatever their slopes, so that each line along the axis still meets the
-/// surface once. Of no use for faceted Fields. May append to `normals`; does not set `change`.
+/// surface: from slabs across the axis that `normals` face most (of thin plates the other face lies in slabs of its
+/// own), and from halves, which are halved up to `deep` times. The other parts lie on one side whatever their slopes,
+/// so that each line along the axis still meets the surface once. Of no use for faceted Fields. May append to
+/// `normals`; does not set `change`.
 SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals,
                                   int halvings, int deep);
 
