@@ -66,6 +66,8 @@ std::string png_bytes(const Image& image, const std::string& name) {
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
                image.depth, image.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  constexpr int quick = 4;  // about as small as by default, in less than half the time
+  png_set_compression_level(writer.png, quick);
   if (image.pixels_per_mm > 0) {
     const auto per_metre = static_cast<png_uint_32>(std::lround(std::min(image.pixels_per_mm * 1000, 2e9)));
     png_set_pHYs(writer.png, writer.info, per_metre, per_metre, PNG_RESOLUTION_METER);
