@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <system_error>
@@ -98,7 +99,9 @@ int run(int argc, char** argv, ProgressLine& line, Progress& progress) {
     return done;
   }
   frep::set_default_evaluator(frep::evaluator_named(evaluator));
-  const ThreadLimit limit(threads);
+  // Never ended: after an allocation failed within oneTBB 2022, the end of a limit may wait forever.
+  static const ThreadLimit* const limit = std::make_unique<ThreadLimit>(threads).release();
+  static_cast<void>(limit);
   line.show(show_progress || ::isatty(STDERR_FILENO) != 0);
   const auto chosen = std::find_if(verbs.begin(), verbs.end(), [](const auto& verb) { return verb->chosen(); });
   const Outcome outcome = (*chosen)->run(progress);

@@ -81,12 +81,13 @@ def _controller(job, tool, section):
     lengths = {"Diameter": "diameter", "Length": "length", "ShankDiameter": "shank", "CuttingEdgeHeight": "flute"}
     parameter = {name: f"{told[ours]} mm" for name, ours in lengths.items() if ours in told}
     if tool.Shape == "bull":
-        parameter["FlatRadius"] = f"{told['diameter'] / 2 - told.get('corner_radius', 0)} mm"
+        name, length = path_shim.corner_of_bull_nose(told["diameter"], told.get("corner_radius", 0))
+        parameter[name] = f"{length} mm"
     if "angle" in told:
         parameter["TipAngle" if tool.Shape == "drill" else "CuttingEdgeAngle"] = f"{told['angle']} deg"
-    bit = path_shim.bits().Factory.CreateFromAttrs(
-        {"version": 2, "name": tool.Label, "shape": SHAPE_FILES[tool.Shape] + ".fcstd",
-         "parameter": _known(parameter, tool.Shape), "attribute": {}}, "ToolBit")
+    bit = path_shim.make_bit(job.Document, {
+        "version": 2, "name": tool.Label, "shape": SHAPE_FILES[tool.Shape] + ".fcstd",
+        "parameter": _known(parameter, tool.Shape), "attribute": {}})
     controller = path_shim.controllers().Create(f"TC: {tool.Label}", bit, tool.Number, False)
     controller.SpindleSpeed = section["spindle"]
     # mm/s; used only for the controller, since the path contains its own feeds.

@@ -1,5 +1,5 @@
 """Uniform names for FreeCAD's own milling workbench: Path in 0.20 (PathScripts.*), CAM in later versions (Path.Main.*,
-Path.Tool.*). Tested with 0.20.2 and 1.0."""
+Path.Tool.*). Tested with 0.20.2, 1.0 and 1.1."""
 
 import contextlib
 import importlib
@@ -45,18 +45,34 @@ def bits():
     return first("PathScripts.PathToolBit", "Path.Tool.Bit")
 
 
+def make_bit(document, told):
+    """Makes a tool bit from the content of a .fctb file. Called in the context in_one_step()."""
+    module = bits()
+    if hasattr(module, "Factory"):
+        return module.Factory.CreateFromAttrs(told, "ToolBit")
+    return module.ToolBit.from_dict(told).attach_to_doc(document)  # since 1.1
+
+
+def corner_of_bull_nose(diameter, corner_radius):
+    """Returns the name and the length by which a bull nose's tool bit tells its corner."""
+    if hasattr(bits(), "Factory"):
+        return "FlatRadius", diameter / 2 - corner_radius
+    return "CornerRadius", corner_radius  # since 1.1
+
+
 @contextlib.contextmanager
 def in_one_step():
     """Context in which FreeCAD's tool bits are made without separate undo steps, which they otherwise get in its
-    window."""
+    window, up to version 1.0."""
     module = bits()
-    before = module.Factory
+    before = getattr(module, "Factory", None)
     if hasattr(module, "ToolBitFactory"):
         module.Factory = module.ToolBitFactory()
     try:
         yield
     finally:
-        module.Factory = before
+        if before is not None:
+            module.Factory = before
 
 
 def show_job(job):

@@ -90,11 +90,19 @@ def read(path):
     return [read_bit(path)], []
 
 
-def of_object(bit):
-    """Returns the tool of a tool bit object, as in a Path job's tool controller. Reads FreeCAD's older tools, too."""
+def shape_of(bit):
+    """Returns the name of a tool bit object's shape, as its shape's file is named. Reads FreeCAD's older tools, too."""
     shape = getattr(bit, "ShapeName", "") or os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
+    if not shape:  # since 1.1
+        shape = getattr(bit, "ShapeType", "")
+        shape = getattr(bit, "ShapeID", "") if shape == "Custom" else shape
     if not shape:
         shape = {"EndMill": "endmill", "BallEndMill": "ballend", "Drill": "drill", "Engraver": "v-bit",
                  "ChamferMill": "chamfer"}.get(
                      getattr(bit, "ToolType", ""), str(getattr(bit, "ToolType", "") or "tool"))
-    return tool_from(getattr(bit, "Label", "") or bit.Name, shape, lambda name: getattr(bit, name, None))
+    return shape.lower()
+
+
+def of_object(bit):
+    """Returns the tool of a tool bit object, as in a Path job's tool controller."""
+    return tool_from(getattr(bit, "Label", "") or bit.Name, shape_of(bit), lambda name: getattr(bit, name, None))

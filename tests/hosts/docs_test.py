@@ -40,6 +40,7 @@ NOT_RUN = {
     "./dev newcomer trixie": "takes minutes, and a Debian of its own",
     "./dev on bookworm test": "takes more than an hour, and a Debian of its own",
     "./dev on trixie test": "takes more than an hour, and a Debian of its own",
+    "./dev on forky test": "takes more than an hour, and a Debian of its own",
     "apt install ./out/packages/*.deb": "writes into the system; ./dev newcomer does it in a bare Debian",
     "apt purge '*fieldfab*'": "writes into the system; ./dev newcomer does it in a bare Debian",
     "cmake -S . -B build": "hosts/sdk_test.py builds docs/install.md's project against a folder of its own",

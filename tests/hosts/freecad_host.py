@@ -39,7 +39,9 @@ def home(tmp_path):
 def environment(home, **more):
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON"))}
     return {**kept, "HOME": str(home), "FIELDFAB_RESULT": str(home / "result.json"), "QTWEBENGINE_DISABLE_SANDBOX": "1",
-            "LIBGL_ALWAYS_SOFTWARE": "1", "PYTEST_DEBUG_TEMPROOT": str(home), **more}
+            "LIBGL_ALWAYS_SOFTWARE": "1", "PYTEST_DEBUG_TEMPROOT": str(home),
+            # FreeCAD 1.1 asks whether to copy the folders of an older version, unless it is told where they are.
+            "FREECAD_USER_DATA": str(home / ".local" / "share" / "FreeCAD"), **more}
 
 
 @pytest.fixture

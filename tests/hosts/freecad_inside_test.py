@@ -1,18 +1,30 @@
 """The workbench, tested from inside the real FreeCAD: inside_*.py without a window, window_*.py in its window."""
 
+import shutil
+
 import pytest
 from freecad_host import HERE, home, run_inside, screen  # noqa: F401
 
 FOLDER = HERE / "freecad"
+# Programs that a file needs and that a release of Debian may lack: forky has no openscad.
+NEEDS = {"inside_openscad": "openscad", "window_openscad": "openscad"}
+
+
+def require(file):
+    program = NEEDS.get(file.stem)
+    if program and shutil.which(program) is None:
+        pytest.skip(f"{program} is not installed")
 
 
 @pytest.mark.parametrize("file", sorted(FOLDER.glob("inside_*.py")), ids=lambda p: p.stem)
 def test_without_window(home, file):
+    require(file)
     run_inside(home, file)
 
 
 @pytest.mark.parametrize("file", sorted(FOLDER.glob("window_*.py")), ids=lambda p: p.stem)
 def test_in_the_window(home, screen, file):
+    require(file)
     run_inside(home, file, screen)
 
 

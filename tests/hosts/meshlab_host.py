@@ -16,6 +16,7 @@ VERSION = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "meshlab"], st
 REMOVES_NAN = not VERSION.startswith("2020")
 # What the line of a file that cannot be opened begins with.
 REFUSED = "Fieldfab: " if VERSION.startswith("2020") else "Error: "
+APPLIED = "Applied filter " if VERSION < "2025" else "Applied filter: "  # before a filter's name, in the log
 SERVER, WINDOW = BUILD / "meshlab" / "meshlabserver", BUILD / "meshlab" / "meshlab"
 # MeshLab's own, or what stands for it in later versions (tests/hosts/meshlab_server.cpp).
 MESHLABSERVER = next(path for path in (pathlib.Path("/usr/bin/meshlabserver"), SERVER) if path.exists())

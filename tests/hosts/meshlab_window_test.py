@@ -8,7 +8,9 @@ import time
 
 import pytest
 from freecad_host import screen  # noqa: F401: a fixture
-from meshlab_host import DEVIATION, REMESH, REPORT, VERSION, Window, cube, figure_eight, sphere, with_holes, write_ply
+from meshlab_host import (
+    APPLIED, DEVIATION, REMESH, REPORT, VERSION, Window, cube, figure_eight, sphere, with_holes, write_ply,
+)
 
 SHOTS = os.environ.get("FIELDFAB_SHOTS")
 
@@ -43,7 +45,7 @@ def test_menu_dialog_and_result(tmp_path, open_window, shot):
     window.aside()
     shot(window, "meshlab-dialog")
     window.apply()
-    window.wait_for(f"Applied filter {REMESH}")
+    window.wait_for(APPLIED + REMESH)
     at_08 = int(re.search(r"LOG: 2 (\d+) triangles", window.said())[1])
     time.sleep(1)
     shot(window, "meshlab-remesh")
@@ -52,7 +54,7 @@ def test_menu_dialog_and_result(tmp_path, open_window, shot):
     assert "layer 'holes.ply' is open: " in window.said()
     window.open_filter(REMESH)  # now with the new layer's defaults
     window.apply()
-    window.wait_for(f"Applied filter {REMESH}", times=2)
+    window.wait_for(APPLIED + REMESH, times=2)
     by_default = int(re.findall(r"LOG: 2 (\d+) triangles, ", window.said())[-1])
     assert by_default > 1.5 * at_08  # 0.46 mm instead of the typed 0.8
 
@@ -64,7 +66,7 @@ def test_deviation_in_colour(tmp_path, open_window, shot):
     # Apply, Close, Help, range in %, range, formula, layer, reference (layer or formula)
     window.fill_in([(7, "Down"), (5, "move(sphere(20), 0.8, 0, 0.3)")])
     window.apply()
-    window.wait_for(f"Applied filter {DEVIATION}")
+    window.wait_for(APPLIED + DEVIATION)
     time.sleep(1)
     shot(window, "meshlab-deviation")
     most = float(re.search(r"most ([-\d.e]+) mm", window.said())[1])

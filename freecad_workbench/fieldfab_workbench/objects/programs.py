@@ -4,13 +4,13 @@ import os
 import re
 from collections import namedtuple
 
+from ..tool_bits import SHAPES, shape_of, tool_from
 from ..words import tr
 
 # text: bytes; name: actual or hypothetical file name, whose extension selects the language; path: str or None.
 Program = namedtuple("Program", "text name path")
 
 _FEED = re.compile(r"\bF(-?[0-9.]+)")
-SHAPES = {"endmill": "flat", "ballend": "ball", "bullnose": "bull", "v-bit": "v", "chamfer": "v", "drill": "drill"}
 
 
 def is_job(obj):
@@ -89,34 +89,21 @@ def controller_of(operation):
 
 def tools_of(obj):
     """Returns the tools of a Path Job or operation as tables of a set-up, in mm and degrees: [{"number": 1, "shape":
-    "flat", "diameter": 6, ...}]."""
+    "flat", "diameter": 6, ...}]. Unknown shapes count as flat; tools without a diameter are left out."""
     controllers = obj.Tools.Group if is_job(obj) else [controller_of(obj)]
-    return [_tool(c) for c in controllers if c is not None and getattr(c, "Tool", None) is not None]
+    tools = [_tool(c) for c in controllers if c is not None and getattr(c, "Tool", None) is not None]
+    return [tool for tool in tools if tool]
 
 
 def _tool(controller):
     bit = controller.Tool
-
-    def length(name):
-        value = getattr(bit, name, 0)
-        return round(float(getattr(value, "Value", value)), 6)
-
-    shape = SHAPES.get(str(getattr(bit, "ShapeName", "")).lower(), "flat")
-    tool = {"number": controller.ToolNumber, "name": bit.Label, "shape": shape, "diameter": length("Diameter")}
-    if shape == "bull":
-        tool["corner_radius"] = length("FlatRadius")
-    if shape == "v":
-        tool.update(angle=length("CuttingEdgeAngle"), tip_diameter=length("TipDiameter"))
-    if shape == "drill":
-        tool["angle"] = length("TipAngle") or 118
-    flute, whole, shank = length("CuttingEdgeHeight"), length("Length"), length("ShankDiameter")
-    if flute:
-        tool["flute"] = flute
-    if whole:
-        tool["length"] = max(whole, flute)
-    if shank:
-        tool["shank"] = shank
-    return tool
+    shape = shape_of(bit)
+    try:
+        tool = tool_from(bit.Label, shape if shape in SHAPES else "endmill", lambda name: getattr(bit, name, None))
+    except ValueError:
+        return None
+    tool.pop("flutes", None)  # set-ups have none
+    return {"number": controller.ToolNumber, **tool}
 
 
 _MOTION = re.compile(r"\bG0*([0-3]|8[0-9])(?!\d)")

@@ -61,7 +61,7 @@ def place_boxes(values, low=-1e6):
     boxes = []
     for value in values:
         box = MeasureBox(value, low=low)
-        box.setButtonSymbols(box.NoButtons)
+        box.setButtonSymbols(QtWidgets.QAbstractSpinBox.NoButtons)
         box.setMinimumWidth(60)
         boxes.append(box)
     return boxes

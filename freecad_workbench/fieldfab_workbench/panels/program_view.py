@@ -36,8 +36,8 @@ class ProgramView(QtWidgets.QTableView):  # a list view would lay out every line
         self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 1)
         self.setShowGrid(False)
         self.setWordWrap(False)
-        self.setSelectionMode(self.SingleSelection)
-        self.setEditTriggers(self.NoEditTriggers)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
+        self.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.setStyleSheet("QTableView::item:selected { background: #ffe08a; color: #1d1d1f }")
         self.text_width = 0
         self.setToolTip(tr("The program. Click a line to go to its moment"))
@@ -65,7 +65,7 @@ class ProgramView(QtWidgets.QTableView):  # a list view would lay out every line
         seen = range(self.rowAt(0), max(self.rowAt(self.viewport().height() - 1), 0))
         self.setCurrentIndex(index)
         if index.row() not in seen:  # scroll by pages, not line by line
-            self.scrollTo(index, self.PositionAtCenter)
+            self.scrollTo(index, QtWidgets.QAbstractItemView.PositionAtCenter)
 
     def sizeHint(self):
         return QtCore.QSize(300, 90)  # grows with the available room

@@ -25,7 +25,7 @@ class SimulationPanel(EditPanel):
         scroll = QtWidgets.QScrollArea()
         scroll.setWidget(self.setup)
         scroll.setWidgetResizable(True)
-        scroll.setFrameShape(scroll.NoFrame)
+        scroll.setFrameShape(QtWidgets.QFrame.NoFrame)
         self.tabs.addTab(scroll, tr("Set-up"))
         self.tabs.addTab(self._playback_page(), tr("Playback"))
         self.layout.addWidget(self.tabs, 1)

@@ -9,7 +9,7 @@ import Part
 import Path
 import pytest
 
-from fieldfab_workbench import kernel, path_jobs, path_shim
+from fieldfab_workbench import kernel, path_jobs, path_shim, tool_bits
 from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, frep_solid, machine_program, path_of_program
 from fieldfab_workbench.objects import solid as solids
 
@@ -121,7 +121,7 @@ def test_a_part_of_freecads_is_the_jobs_own_model(document):
     job, paths = path_jobs.to_job(program)
     document.recompute()
     assert not document.findObjects(Label="Block.*") and [clone.Objects for clone in job.Model.Group] == [[box]]
-    assert paths[0].ToolController.Tool.ShapeName == "ballend" and paths[0].isValid()
+    assert tool_bits.shape_of(paths[0].ToolController.Tool) == "ballend" and paths[0].isValid()
     more = path_jobs.to_job(program, job)[1]
     assert (len(job.Operations.Group) == 2 and len(job.Tools.Group) == 1
             and more[0].ToolController == paths[0].ToolController)

@@ -11,7 +11,7 @@ from window import live, wait
 from fieldfab_workbench.objects import frep_solid
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.panels import simulation_panel
-from fieldfab_workbench.shim import QtCore, QtWidgets
+from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
 
 Button = QtWidgets.QDialogButtonBox
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -91,6 +91,6 @@ def view_pixels(panel, name):
                            panel.playback.view.view.getSize())
     scale = width / view.width()  # screen pixels per Qt pixel
     picture = picture.copy(round(at.x() * scale), round(at.y() * scale), width, height).convertToFormat(
-        picture.Format_RGB888)
+        QtGui.QImage.Format_RGB888)
     rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
     return rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)

@@ -17,7 +17,7 @@ from fieldfab_workbench.objects import cam_setup, frep_solid
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.panels.program_preview import ProgramPreview
 from fieldfab_workbench.panels.tool_table import ToolTable
-from fieldfab_workbench.shim import QtCore, QtWidgets
+from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
 
 Button = QtWidgets.QDialogButtonBox
 BITS = os.path.join(path_shim.folder(), "Tools", "Bit")
@@ -86,7 +86,7 @@ def click(words):
 
 def coloured(picture, colour):
     """Returns the number of pixels of the 3D view near a colour."""
-    picture = picture.convertToFormat(picture.Format_RGB32)
+    picture = picture.convertToFormat(QtGui.QImage.Format_RGB32)
     pixels = np.frombuffer(picture.constBits(),
                            np.uint8).reshape(picture.height(), -1, 4)[150:, 450 : picture.width(), 2::-1].astype(int)
     return int((np.abs(pixels - colour).max(axis=2) < 40).sum())

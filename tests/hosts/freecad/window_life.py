@@ -148,7 +148,8 @@ def figures(document):
         return f"{value:.9g}" if isinstance(value, float) else getattr(value, "Name", str(value))
 
     return {obj.Name: {name: plain(obj, name) for name in obj.PropertiesList
-                       if name not in ("Proxy", "ExpressionEngine")} for obj in document.Objects}
+                       if name not in ("Proxy", "ExpressionEngine") and not name.startswith("_")}  # FreeCAD's own
+            for obj in document.Objects}
 
 
 def same(document, first):

@@ -8,7 +8,7 @@ from panels import document, frep  # noqa: F401
 from window import live
 
 from fieldfab_workbench import meshes
-from fieldfab_workbench.shim import QtCore
+from fieldfab_workbench.shim import QtCore, QtGui
 from fieldfab_workbench.views import look
 from fieldfab_workbench.views.part_view import PartView
 
@@ -21,7 +21,7 @@ def seen(document, name):  # noqa: F811
     picture, view = window.shot(name), PartView(document)
     at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
     picture = picture.copy(at.x(), at.y(), view.widget().width(), view.widget().height()).convertToFormat(
-        picture.Format_RGB888)
+        QtGui.QImage.Format_RGB888)
     rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
     return rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
 
