@@ -40,7 +40,8 @@ PYBIND11_MODULE(_core, module) {
       PyErr_SetObject(error_type.ptr(), instance.ptr());
     }
   });
-  static std::unique_ptr<ThreadLimit> limit;
+  // Not destroyed when Python ends: the end of a limit may wait forever (cli/main.cpp tells why).
+  static auto& limit = *new std::unique_ptr<ThreadLimit>;
   module.def(
       "set_threads",
       [](int threads) {

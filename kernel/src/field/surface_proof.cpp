@@ -47,6 +47,7 @@ class Corners {
   /// Adds the directions of the gradients there. They are evaluated in one batch: eight points cost nearly as much as
   /// thirty.
   void add_gradients(const Field& field, std::vector<Eigen::Vector3f>& normals) const {
+    if (count_ == 0) return;
     std::array<float, most> value, dx, dy, dz;
     field.gradients({x_.data(), y_.data(), z_.data(), count_}, value.data(), {dx.data(), dy.data(), dz.data()});
     for (std::size_t i = 0; i < count_; ++i) {
@@ -152,7 +153,7 @@ std::array<Box, 8> halves(const Box& box) {
   return parts;
 }
 
-bool grow_where_undecided(const Parts& parts, std::span<const Vec3> directions, int depth);
+bool undecided_parts_grow(const Parts& parts, std::span<const Vec3> directions, int depth);
 
 /// Whether the Field grows along all `directions` wherever in the box its interval leaves room for a surface, as far as
 /// its halves and quarters tell.
@@ -162,10 +163,10 @@ bool grows_where_undecided(const Field& field, const Box& box, std::span<const V
   if (grows(slopes)) return true;
   if (depth == 0) return false;
   const Parts parts(field, halves(box));
-  return grow_where_undecided(parts, directions, depth - 1);
+  return undecided_parts_grow(parts, directions, depth - 1);
 }
 
-bool grow_where_undecided(const Parts& parts, std::span<const Vec3> directions, int depth) {
+bool undecided_parts_grow(const Parts& parts, std::span<const Vec3> directions, int depth) {
   for (std::size_t i = 0; i < parts.box.size(); ++i)
     if (parts.undecided(i) && !grows_where_undecided(*parts.here[i].field, parts.box[i], directions, depth))
       return false;
@@ -215,7 +216,7 @@ SurfaceProof prove_by_parts(const Field& field, const Parts& parts, std::vector<
   proof.folded = cone.cosine < wanted.least_cosine();
   if (proof.folded) return proof;
   const auto directions = wanted.directions(cone);
-  proof.one_sheet = grow_where_undecided(parts, {directions.data() + 3, edges_of_pyramid}, deep);
+  proof.one_sheet = undecided_parts_grow(parts, {directions.data() + 3, edges_of_pyramid}, deep);
   return proof;
 }
 

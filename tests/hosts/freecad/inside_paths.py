@@ -10,7 +10,9 @@ import Path
 import pytest
 
 from fieldfab_workbench import kernel, path_jobs, path_shim, tool_bits
-from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, frep_solid, machine_program, path_of_program
+from fieldfab_workbench.objects import (
+    cam_operation, cam_setup, cam_tool, frep_solid, machine_program, path_of_program, programs,
+)
 from fieldfab_workbench.objects import solid as solids
 
 
@@ -125,6 +127,19 @@ def test_a_part_of_freecads_is_the_jobs_own_model(document):
     more = path_jobs.to_job(program, job)[1]
     assert (len(job.Operations.Group) == 2 and len(job.Tools.Group) == 1
             and more[0].ToolController == paths[0].ToolController)
+
+
+def test_a_bull_nose_keeps_its_corner(document):
+    setup = cam_setup.create(document, document.addObject("Part::Box", "Box"))
+    cam_tool.add(setup, {"shape": "bull", "diameter": 6, "corner_radius": 1, "length": 50})
+    cam_operation.add(setup, "profile").Cell = 0.5
+    program = machine_program.create(setup)
+    document.recompute()
+    job, [path] = path_jobs.to_job(program)
+    [tool] = programs.tools_of(job)
+    assert (tool["number"], tool["shape"], tool["diameter"]) == (1, "bull", 6)
+    assert tool["corner_radius"] == pytest.approx(1)
+    assert tool_bits.of_object(path.ToolController.Tool)["corner_radius"] == pytest.approx(1)
 
 
 def test_freecads_dress_ups_take_them_and_are_simulated(document, tmp_path):

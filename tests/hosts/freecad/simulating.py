@@ -3,7 +3,6 @@
 import pathlib
 
 import FreeCADGui
-import numpy as np
 import pytest
 import window
 from window import live, wait
@@ -11,7 +10,7 @@ from window import live, wait
 from fieldfab_workbench.objects import frep_solid
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.panels import simulation_panel
-from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
+from fieldfab_workbench.shim import QtCore, QtWidgets
 
 Button = QtWidgets.QDialogButtonBox
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -90,7 +89,4 @@ def view_pixels(panel, name):
     at, (width, height) = (view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0)),
                            panel.playback.view.view.getSize())
     scale = width / view.width()  # screen pixels per Qt pixel
-    picture = picture.copy(round(at.x() * scale), round(at.y() * scale), width, height).convertToFormat(
-        QtGui.QImage.Format_RGB888)
-    rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
-    return rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
+    return window.pixels(picture, round(at.x() * scale), round(at.y() * scale), width, height)

@@ -4,8 +4,9 @@ import os
 import time
 
 import FreeCADGui
+import numpy as np
 
-from fieldfab_workbench.shim import QtCore, QtWidgets
+from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
 
 
 def wait(until, seconds=30, what="it"):
@@ -42,6 +43,19 @@ def shot(name):
     if folder := os.environ.get("FIELDFAB_SHOTS"):
         picture.save(os.path.join(folder, f"{name}.png"))
     return picture
+
+
+def pixels(picture, x, y, width, height):
+    """Returns a part of a picture, as an array of shape (height, width, 3)."""
+    picture = picture.copy(x, y, width, height).convertToFormat(QtGui.QImage.Format_RGB888)
+    rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
+    return rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
+
+
+def view_pixels(name, view):
+    """Takes a picture as shot() does. Returns the widget of a PartView, as pixels() does."""
+    at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
+    return pixels(shot(name), at.x(), at.y(), view.widget().width(), view.widget().height())
 
 
 def clock():

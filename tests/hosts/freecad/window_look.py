@@ -8,7 +8,6 @@ from panels import document, frep  # noqa: F401
 from window import live
 
 from fieldfab_workbench import meshes
-from fieldfab_workbench.shim import QtCore, QtGui
 from fieldfab_workbench.views import look
 from fieldfab_workbench.views.part_view import PartView
 
@@ -18,12 +17,7 @@ def seen(document, name):  # noqa: F811
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     live(0.5)
-    picture, view = window.shot(name), PartView(document)
-    at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
-    picture = picture.copy(at.x(), at.y(), view.widget().width(), view.widget().height()).convertToFormat(
-        QtGui.QImage.Format_RGB888)
-    rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
-    return rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
+    return window.view_pixels(name, PartView(document))
 
 
 def dark(pixels):

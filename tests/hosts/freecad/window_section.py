@@ -16,7 +16,7 @@ from window import live, press, wait
 from fieldfab_workbench import files, registry
 from fieldfab_workbench.commands.exchange import COMMANDS
 from fieldfab_workbench.objects import scan
-from fieldfab_workbench.shim import QtCore, QtGui
+from fieldfab_workbench.shim import QtCore
 from fieldfab_workbench.views import section
 from fieldfab_workbench.views.part_view import PartView
 
@@ -45,13 +45,7 @@ def in_the_colour(pixels):
 
 def cap(document, name, is_cut=in_the_colour):  # noqa: F811
     """Returns a mask of the view's pixels in the colour of cut faces."""
-    picture, view = window.shot(name), PartView(document)
-    at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
-    picture = picture.copy(at.x(), at.y(), view.widget().width(), view.widget().height()).convertToFormat(
-        QtGui.QImage.Format_RGB888)
-    rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
-    pixels = rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
-    return is_cut(pixels)
+    return is_cut(window.view_pixels(name, PartView(document)))
 
 
 def background_of(picture):
