@@ -1,6 +1,10 @@
 // Python bindings of distance fields.
+#include <fmt/format.h>
+
 #include "bindings.h"
 #include "fieldfab/asdf/asdf.h"
+#include "fieldfab/contour/bricks.h"
+#include "fieldfab/core/error.h"
 
 namespace fieldfab::python {
 namespace {
@@ -20,6 +24,44 @@ class AsdfValue : public SolidValue {
  public:
   explicit AsdfValue(std::shared_ptr<const Asdf> made) : SolidValue(sampled_solid(made)), asdf(std::move(made)) {}
   std::shared_ptr<const Asdf> asdf;
+};
+
+/// The mesh of an .asdf file in bricks, each made of the part of the file around it.
+class MeshBricks {
+ public:
+  MeshBricks(std::filesystem::path path, const std::optional<Box>& bounds, std::optional<double> voxel,
+             std::optional<double> max_error, int level, int cells)
+      : path_(std::move(path)),
+        options_({{"level", static_cast<double>(level)}}),
+        known_(open(Box{Vec3::Zero(), Vec3::Zero()})),
+        bounds_(bounds.value_or(known_.bounds.value_or(Box{}))),
+        voxel_(voxel.value_or(default_voxel(known_, bounds_))),
+        bricks_(bounds_, {voxel_, max_error.value_or(-1)}, cells) {}
+
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+  [[nodiscard]] double voxel() const { return voxel_; }
+  /// Number of resolution levels of the file.
+  [[nodiscard]] std::size_t levels() const { return std::max<std::size_t>(1, Asdf::look(path_).levels.size()); }
+  [[nodiscard]] const std::array<int, 3>& count() const { return bricks_.count(); }
+  [[nodiscard]] BrickMesh mesh(const std::array<int, 3>& brick, Progress& progress) const {
+    return bricks_.mesh(*open(bricks_.surroundings(brick)).field, brick, progress);
+  }
+
+ private:
+  /// The solid as the command opens it, with its distances in `region` only.
+  [[nodiscard]] Solid open(const Box& region) const {
+    Solid solid = open_solid(path_, options_, {.region = region});
+    if (solid.kind != "asdf")
+      throw Error(ErrorKind::bad_input, path_.string(), "only .asdf files are meshed in bricks");
+    return solid;
+  }
+
+  std::filesystem::path path_;
+  std::vector<frep::OpenOption> options_;
+  Solid known_;  ///< almost nothing of the file, but its bounds and cell
+  Box bounds_;
+  double voxel_;
+  ContourBricks bricks_;
 };
 
 }  // namespace
@@ -69,6 +111,29 @@ void bind_distances(py::module_& module) {
         counts["depth"] = s.depth;
         return counts;
       });
+  py::class_<MeshBricks>(module, "MeshBricks",
+                         "The mesh of an .asdf file in bricks: cubes of cells, each meshed from the part of the file "
+                         "around it. Their triangles are those of the mesh in one piece.")
+      .def(py::init([](const std::filesystem::path& path, const py::object& bounds, std::optional<double> voxel,
+                       std::optional<double> max_error, int level,
+                       int cells) { return MeshBricks(path, bounds_of(bounds), voxel, max_error, level, cells); }),
+           py::arg("filename"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(),
+           py::arg("max_error") = py::none(), py::arg("level") = 0, py::arg("cells") = ContourBricks::usual_cells,
+           "Bounds, voxel and max_error in mm, by default as `fieldfab mesh` has them; a resolution level of the file; "
+           "the cells along the edge of a brick, a power of two of at least 32.")
+      .def_property_readonly("bounds", [](const MeshBricks& b) { return bounds_to_python(b.bounds()); })
+      .def_property_readonly("voxel", &MeshBricks::voxel, "Edge of a cell, mm.")
+      .def_property_readonly("levels", &MeshBricks::levels, "Resolution levels of the file.")
+      .def_property_readonly("count", &MeshBricks::count, "Bricks along x, y and z.")
+      .def(
+          "mesh",
+          [](const MeshBricks& b, const std::array<int, 3>& brick, const py::object& progress) {
+            BrickMesh made = long_work(progress, [&](Progress& p) { return b.mesh(brick, p); });
+            py::array_t<std::uint32_t> seam(static_cast<py::ssize_t>(made.seam.size()), made.seam.data());
+            return py::make_tuple(static_cast<TriangleMesh&&>(std::move(made)), std::move(seam));
+          },
+          py::arg("brick"), py::arg("progress") = py::none(),
+          "The Mesh of the brick at x, y, z, and the indices of its vertices that neighbours have too.");
   module.def(
       "build",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel,

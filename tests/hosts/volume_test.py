@@ -11,7 +11,7 @@ import zlib
 import numpy as np
 import pytest
 
-from conftest import BUILD, COMMAND, DATA
+from conftest import COMMAND, DATA
 
 SIZE = (24, 20, 18)  # samples along x, y, z
 SPACING = (0.5, 0.75, 1.0)
@@ -381,22 +381,6 @@ def test_python_volumes(tmp_path):
         volume.crop((0, 0, 0), (99, 1, 1))
     with pytest.raises(ff.Error):
         ff.Volume(np.full((4, 4, 4), np.nan)).solid()
-
-
-def test_bricks_of_two_processes_make_the_same_file(tmp_path):
-    """fieldfab.bricks, with a Dask cluster of two processes, against one process."""
-    run("build", CT / "engine.nii.gz", "-o", tmp_path / "one.asdf", "--levels", 2)
-    python = ["/usr/bin/python3", "-m", "fieldfab.bricks"]
-    environment = {**os.environ, "PYTHONPATH": str(BUILD / "python")}
-    for parts in (2, 3):
-        subprocess.run([*python, CT / "engine.nii.gz", "-o", tmp_path / "two.asdf", "--workers", "2", "--parts",
-                        str(parts), "--levels", "2"],
-                       env=environment, check=True, timeout=120)
-        assert (tmp_path / "one.asdf").read_bytes() == (tmp_path / "two.asdf").read_bytes()
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["one.asdf", "two.asdf"]
-    done = subprocess.run([*python, tmp_path / "nothing.nrrd", "-o", tmp_path / "x.asdf"], env=environment,
-                          capture_output=True, text=True)
-    assert done.returncode == 2 and len(done.stderr.splitlines()) == 1 and "nothing.nrrd" in done.stderr
 
 
 def test_parts_that_do_not_belong_are_refused(tmp_path):

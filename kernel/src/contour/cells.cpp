@@ -272,7 +272,8 @@ FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree&
     progress.check();
     CellFiller filler(solid, lattice, curves, settings, pieces[part]);
     for (std::size_t i = part * chunk; i < std::min(leafs.size(), (part + 1) * chunk); ++i)
-      if (start[i] < start[i + 1]) filler.fill(leafs[i], std::span(around).subspan(start[i], start[i + 1] - start[i]));
+      if (start[i] < start[i + 1] && octree.extent().contains(leafs[i].lower))
+        filler.fill(leafs[i], std::span(around).subspan(start[i], start[i + 1] - start[i]));
   });
 
   FilledCells filled;

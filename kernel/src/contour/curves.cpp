@@ -78,6 +78,7 @@ class CurveTracer {
     BlockPoints found;
     const auto neighbours = octree_.lower_neighbours(block);
     for (const Crossing& crossing : block.crossings) {
+      if (!is_wanted(block, crossing)) continue;
       std::array<std::uint32_t, 4> cells{};
       bool halved = false;
       for (std::size_t quadrant = 0; quadrant < 4; ++quadrant)
@@ -88,6 +89,18 @@ class CurveTracer {
     for (const Division& division : block.divisions)
       for (const Crossing& crossing : division.crossings) add_point_of_division(division, crossing, found);
     return found;
+  }
+
+  /// Returns whether one of the four cells around an edge of voxels gets triangles.
+  [[nodiscard]] bool is_wanted(const Block& block, const Crossing& crossing) const {
+    const int step = lattice_.voxel_level();
+    for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
+      const std::array<int, 3> cell = cell_beside(crossing, quadrant);
+      if (octree_.extent().contains(
+              moved(block.lower, cell[0] * (1 << step), cell[1] * (1 << step), cell[2] * (1 << step))))
+        return true;
+    }
+    return false;
   }
 
   /// Returns the cell in one quadrant around an edge, in the unit and from the origin of the
@@ -137,10 +150,14 @@ class CurveTracer {
     for (const EdgeFace& face : faces_of_edge) {
       const std::uint32_t lower = cells[static_cast<std::size_t>(face.lower)],
                           upper = cells[static_cast<std::size_t>(face.upper)];
-      if (lower == upper) continue;
+      if (lower == upper || !(gets_triangles(lower) || gets_triangles(upper))) continue;
       found.rim.push_back({lower, upper, vertex, static_cast<std::uint8_t>((crossing.axis + face.normal_offset) % 3),
                            static_cast<std::uint8_t>(face.side), crossing.lower_inside == face.forward});
     }
+  }
+
+  [[nodiscard]] bool gets_triangles(std::uint32_t leaf) const {
+    return octree_.extent().contains(octree_.leafs()[leaf].lower);
   }
 
   /// Returns the leaf of a cell, a voxel wide, counted from the lower corner of the first of

@@ -36,10 +36,13 @@ struct Octree::Node {
   std::int32_t children = -1;       ///< index of the first of eight
   std::int32_t block = -1;          ///< index into blocks_
   std::optional<Patch> patch = {};  ///< known if the cube is uniform or one patch
+  bool beyond = false;              ///< whether the cube is not within the extent; neither field nor patch are set then
+  [[nodiscard]] bool open() const { return !patch && !beyond; }
 };
 
-Octree::Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress)
-    : lattice_(lattice) {
+Octree::Octree(const Field& solid, const Lattice& lattice, const Extent& extent, const ContourSettings& settings,
+               Progress& progress)
+    : lattice_(lattice), extent_(extent) {
   subdivide(solid, progress);
   sample_blocks(settings, progress);
   if (wants_half_voxel_ || too_deep_) return;
@@ -63,7 +66,7 @@ void Octree::subdivide(const Field& solid, Progress& progress) {
 
     const auto open =
         static_cast<std::size_t>(std::count_if(nodes_.begin() + static_cast<std::ptrdiff_t>(first), nodes_.end(),
-                                               [](const Node& node) { return !node.patch; }));
+                                               [](const Node& node) { return node.open(); }));
     // A surface has four times as many cells on each finer level, so this is the number of blocks
     // to expect.
     const double blocks = static_cast<double>(open) * std::pow(4.0, level - block_root());
@@ -71,7 +74,7 @@ void Octree::subdivide(const Field& solid, Progress& progress) {
     if (level == block_root()) return;
     for (std::size_t i = first; i < last; ++i) {
       if (i % 4096 == 0) progress.check();
-      if (nodes_[i].patch) continue;
+      if (!nodes_[i].open()) continue;
       nodes_[i].children = static_cast<std::int32_t>(nodes_.size());
       for (unsigned child = 0; child < 8; ++child)
         nodes_.push_back({child_of(nodes_[i].lower, child, level - 1), level - 1, nodes_[i].field});
@@ -81,25 +84,33 @@ void Octree::subdivide(const Field& solid, Progress& progress) {
 }
 
 /// Restricts siblings, whose Field is still that of their parent, to their own cubes and a margin.
-/// Completes those that the surface does not enter.
+/// Completes those that the surface does not enter, and leaves out those beyond the extent.
 void Octree::settle(std::span<Node> siblings) const {
   std::array<Box, 8> cube;
+  std::array<Node*, 8> within;
   std::array<Restriction, 8> here;
-  for (std::size_t i = 0; i < siblings.size(); ++i)
-    cube[i] = lattice_.cube(siblings[i].lower, siblings[i].level).grown(sheet_overlap * lattice_.voxel());
+  std::size_t count = 0;
   const FieldPtr parent = siblings[0].field;
-  parent->restrict_all({cube.data(), siblings.size()}, Purpose::value, here);
-  for (std::size_t i = 0; i < siblings.size(); ++i) {
-    siblings[i].field = here[i].range.decided() ? nullptr : std::move(here[i].field);
+  for (Node& node : siblings) {
+    node.field.reset();
+    node.beyond = !extent_.meets(node.lower, node.level);
+    if (node.beyond) continue;
+    cube[count] = lattice_.cube(node.lower, node.level).grown(sheet_overlap * lattice_.voxel());
+    within[count++] = &node;
+  }
+  parent->restrict_all({cube.data(), count}, Purpose::value, here);
+  for (std::size_t i = 0; i < count; ++i) {
     if (here[i].range.decided())
-      siblings[i].patch = Patch{static_cast<std::uint8_t>(here[i].range.inside() ? 255 : 0), {}};
+      within[i]->patch = Patch{static_cast<std::uint8_t>(here[i].range.inside() ? 255 : 0), {}};
+    else
+      within[i]->field = std::move(here[i].field);
   }
 }
 
 void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) {
   std::vector<Node*> open;
   for (Node& node : nodes_)
-    if (node.level == block_root() && !node.patch) open.push_back(&node);
+    if (node.level == block_root() && node.open()) open.push_back(&node);
   std::vector<Block> sampled(open.size());
   std::vector<std::unique_ptr<BlockRefiner>> refiners(open.size());
   std::atomic<std::size_t> done{0};
@@ -287,6 +298,7 @@ void Octree::merge_blocks(const ContourSettings& settings) {
       node.patch = Patch{static_cast<std::uint8_t>(any), {}};
       continue;
     }
+    if (node.level > extent_.greatest_leaf) continue;
     Patch merged;
     std::size_t count = 0;
     for (std::size_t child = 0; child < 8; ++child) count += nodes_[first + child].patch->points.size();

@@ -88,6 +88,33 @@ struct CellFound {
   bool divided = false;
 };
 
+/// Cells of a lattice that are contoured.
+struct Extent {
+  LatticePoint lower{0, 0, 0};
+  std::int32_t side;        ///< of the cube of cells that get triangles, in finest cells
+  std::int32_t margin = 0;  ///< width of the cells around the cube whose leafs are found, in finest cells
+  int greatest_leaf;        ///< level of the largest cube of cells that may become one leaf
+
+  /// All cells.
+  static Extent whole(const Lattice& lattice) {
+    return {.side = 1 << lattice.root_level(), .greatest_leaf = lattice.root_level()};
+  }
+  /// Returns whether the leaf, or the cell, with that lower corner gets triangles.
+  [[nodiscard]] bool contains(const LatticePoint& cell) const {
+    bool inside = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      inside = inside && cell[axis] >= lower[axis] && cell[axis] - lower[axis] < side;
+    return inside;
+  }
+  /// Returns whether the leafs of a cube are found.
+  [[nodiscard]] bool meets(const LatticePoint& cube, int level) const {
+    bool met = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      met = met && cube[axis] + (1 << level) > lower[axis] - margin && cube[axis] < lower[axis] + side + margin;
+    return met;
+  }
+};
+
 struct Patch;
 class BlockRefiner;
 
@@ -95,7 +122,8 @@ class BlockRefiner;
 class Octree {
  public:
   /// Samples the solid. Throws cancelled, too_large.
-  Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress);
+  Octree(const Field& solid, const Lattice& lattice, const Extent& extent, const ContourSettings& settings,
+         Progress& progress);
   ~Octree();
   /// Whether most cells are not clear, so that a lattice of half the voxel costs less than an
   /// examination of each cell. No other member is valid then.
@@ -106,6 +134,7 @@ class Octree {
 
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
   [[nodiscard]] const std::vector<Leaf>& leafs() const { return leafs_; }
+  [[nodiscard]] const Extent& extent() const { return extent_; }
   [[nodiscard]] const Certainty& certainty() const { return certainty_; }
   /// Cells that are not certain.
   [[nodiscard]] std::span<const UncertainCell> uncertain() const { return uncertain_; }
@@ -136,6 +165,7 @@ class Octree {
   [[nodiscard]] int block_root() const { return lattice_.voxel_level() + block_level; }
 
   const Lattice& lattice_;
+  const Extent extent_;
   std::vector<Node> nodes_;  ///< breadth first: children after their parents
   std::vector<Block> blocks_;
   std::vector<Leaf> leafs_;
