@@ -49,7 +49,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangles_(corners_of_all
   divide(0, 0, static_cast<std::uint32_t>(triangles_.size()));
 }
 
-void TriangleTree::divide(std::size_t node, std::uint32_t first, std::uint32_t count) {
+Box TriangleTree::divide(std::size_t node, std::uint32_t first, std::uint32_t count) {
   const auto begin = triangles_.begin() + first, end = begin + count;
   const auto nothing = std::numeric_limits<double>::infinity();
   Box all{Vec3::Constant(nothing), Vec3::Constant(-nothing)}, centres = all;
@@ -58,13 +58,9 @@ void TriangleTree::divide(std::size_t node, std::uint32_t first, std::uint32_t c
     centres = {centres.lower.cwiseMin(centre), centres.upper.cwiseMax(centre)};
     for (const Vec3& corner : *t) all = {all.lower.cwiseMin(corner), all.upper.cwiseMax(corner)};
   }
-  for (std::size_t axis = 0; axis < 3; ++axis) {  // corners came from floats
-    nodes_[node].lower[axis] = static_cast<float>(all.lower[static_cast<Eigen::Index>(axis)]);
-    nodes_[node].upper[axis] = static_cast<float>(all.upper[static_cast<Eigen::Index>(axis)]);
-  }
   if (count <= most_in_leaf) {
     nodes_[node].first = first, nodes_[node].count = count;
-    return;
+    return all;
   }
   Eigen::Index axis = 0;
   centres.size().maxCoeff(&axis);
@@ -74,21 +70,29 @@ void TriangleTree::divide(std::size_t node, std::uint32_t first, std::uint32_t c
   const std::size_t children = nodes_.size();
   nodes_[node].first = static_cast<std::uint32_t>(children);
   nodes_.resize(children + 2);
-  divide(children, first, half);
-  divide(children + 1, first + half, count - half);
+  const std::array<Box, 2> halves{divide(children, first, half), divide(children + 1, first + half, count - half)};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t which = 0; which < 2; ++which) {  // corners came from floats
+      const auto along = static_cast<Eigen::Index>(i);
+      nodes_[node].lower[i][which] = static_cast<float>(halves[which].lower[along]);
+      nodes_[node].upper[i][which] = static_cast<float>(halves[which].upper[along]);
+    }
+  return all;
+}
+
+std::array<double, 2> TriangleTree::squares_to_halves(const Node& node, const Vec3& point) {
+  Eigen::Array2d sum = Eigen::Array2d::Zero();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Eigen::Array2d at = Eigen::Array2d::Constant(point[static_cast<Eigen::Index>(axis)]);
+    const Eigen::Array2d lower(node.lower[axis][0], node.lower[axis][1]),
+        upper(node.upper[axis][0], node.upper[axis][1]);
+    const Eigen::Array2d out = (lower - at).max(at - upper).max(0.0);
+    sum += out * out;
+  }
+  return {sum[0], sum[1]};
 }
 
 TriangleTree::Place TriangleTree::nearest(const Vec3& point, std::uint32_t perhaps) const {
-  const auto square_to = [&](std::uint32_t which) {
-    const Node& node = nodes_[which];
-    double sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double at = point[static_cast<Eigen::Index>(axis)];
-      const double out = std::max(0.0, std::max(node.lower[axis] - at, at - node.upper[axis]));
-      sum += out * out;
-    }
-    return sum;
-  };
   const auto place_on = [&](std::uint32_t triangle) {
     const auto& [a, b, c] = triangles_[triangle];
     return nearest_place(point, a, b, c);
@@ -111,7 +115,8 @@ TriangleTree::Place TriangleTree::nearest(const Vec3& point, std::uint32_t perha
       if (square < least) least = square, best = {place, triangle};
     }
     if (node.count > 0) continue;
-    Open near{square_to(node.first), node.first}, far{square_to(node.first + 1), node.first + 1};
+    const std::array<double, 2> squares = squares_to_halves(node, point);
+    Open near{squares[0], node.first}, far{squares[1], node.first + 1};
     if (far.square < near.square) std::swap(near, far);
     if (far.square < least) open[count++] = far;
     if (near.square < least) open[count++] = near;
@@ -126,16 +131,17 @@ int TriangleTree::turns(const Vec3& point, bool from_above) const {
   std::size_t count = 0;
   for (open[count++] = 0; count > 0;) {
     const Node& node = nodes_[open[--count]];
-    if (x < node.lower[0] || x > node.upper[0] || y < node.lower[1] || y > node.upper[1]) continue;
-    if (from_above ? node.upper[2] < z : node.lower[2] > z) continue;
     for (std::uint32_t triangle = node.first; triangle < node.first + node.count; ++triangle) {
       const auto& [a, b, c] = triangles_[triangle];
       const int turn = passes(a, b, x, y) + passes(b, c, x, y) + passes(c, a, x, y);
       if (turn != 0 && (height_at(a, b, c, x, y) > z) == from_above) sum += turn;
     }
     if (node.count > 0) continue;
-    open[count++] = node.first;
-    open[count++] = node.first + 1;
+    for (std::uint32_t half = 0; half < 2; ++half) {
+      const bool aside = x < node.lower[0][half] || x > node.upper[0][half] || y < node.lower[1][half] ||
+                         y > node.upper[1][half] || (from_above ? node.upper[2][half] < z : node.lower[2][half] > z);
+      if (!aside) open[count++] = node.first + half;
+    }
   }
   return from_above ? -sum : sum;
 }

@@ -47,17 +47,17 @@ class TriangleTree {
     std::size_t count = 0;
     for (open[count++] = 0; count > 0;) {
       const Node& node = nodes_[open[--count]];
-      bool apart = false;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<Eigen::Index>(axis);
-        apart = apart || node.lower[axis] > box.upper[a] || node.upper[axis] < box.lower[a];
-      }
-      if (apart) continue;
       for (std::uint32_t triangle = node.first; triangle < node.first + node.count; ++triangle)
         if (meet(triangles_[triangle], box) && !visit(triangle)) return;
       if (node.count > 0) continue;
-      open[count++] = node.first;
-      open[count++] = node.first + 1;
+      for (std::uint32_t half = 0; half < 2; ++half) {
+        bool apart = false;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto a = static_cast<Eigen::Index>(axis);
+          apart = apart || node.lower[axis][half] > box.upper[a] || node.upper[axis][half] < box.lower[a];
+        }
+        if (!apart) open[count++] = node.first + half;
+      }
     }
   }
 
@@ -66,13 +66,16 @@ class TriangleTree {
  private:
   static constexpr std::size_t deepest = 64;  // depth of a tree of 2^32 triangles
 
-  /// An inner node has its halves at `first` and the next index; a leaf has `count` triangles from
-  /// `first` on.
+  /// An inner node has its halves at `first` and the next index, and their boxes: by axis and half, so that both are
+  /// compared with a point at once. A leaf has `count` triangles from `first` on.
   struct Node {
-    std::array<float, 3> lower, upper;
+    std::array<std::array<float, 2>, 3> lower, upper;
     std::uint32_t first = 0, count = 0;
   };
-  void divide(std::size_t node, std::uint32_t first, std::uint32_t count);
+  /// Returns the box of the node.
+  Box divide(std::size_t node, std::uint32_t first, std::uint32_t count);
+  /// Squares of the distances of a point from the boxes of a node's halves.
+  static std::array<double, 2> squares_to_halves(const Node& node, const Vec3& point);
 
   std::vector<std::array<Vec3, 3>> triangles_;
   std::vector<Node> nodes_;
