@@ -71,7 +71,7 @@ class Seams:
         self.vertices = int(self.first[-1])
 
     def parts(self):
-        """Yields of each brick: its new vertices, its triangles as numbers of all vertices, and which are on seams."""
+        """Yields of each brick: its new vertices, its triangles in numbers of all, and which corners are on seams."""
         for i, file in enumerate(self.files):
             with np.load(file) as part:
                 vertices, triangles, seam = part["vertices"], part["triangles"], part["seam"]
@@ -99,7 +99,7 @@ def open_edges(seams):
 
 
 def join(made, output):
-    """Writes one .ply file of the bricks that make_brick() made. Returns the numbers of vertices and triangles, by name."""
+    """Writes one .ply file of the bricks that make_brick() made. Returns how many vertices and triangles, by name."""
     seams = Seams([part["file"] for part in made])
     triangles = 0
     for _, of_part, _ in seams.parts():
@@ -167,9 +167,8 @@ def tileset_of(levels, voxels, folder):
         return done
 
     tops = list(below.values())
-    if not tops:
-        raise ValueError("there is no surface")
-    box = np.array([np.min([tile["box"][0] for tile in tops], axis=0), np.max([tile["box"][1] for tile in tops], axis=0)])
+    corners = np.array([tile["box"] for tile in tops])
+    box = np.array([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
     size = float(np.linalg.norm(box[1] - box[0]))
     root = written({"box": box, "error": size, "children": tops})
     return {"asset": {"version": "1.1", "generator": "Fieldfab"}, "geometricError": size / 1000, "root": root}

@@ -105,6 +105,8 @@ def mesh(asdf, output, workers=2, scheduler=None, **settings):
         os.mkdir(task["folder"])
         with processes(workers, scheduler) as client:
             made = all_done(client, brick_mesh.make_brick, task, work, "bricks")
+        if not any(made):
+            raise ValueError(f"{asdf}: no surface was found, and no mesh was written")
         if not tiles:
             made = [part for part in made if part]
             return {"bricks": len(made), **brick_mesh.join(made, output)}

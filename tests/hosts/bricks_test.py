@@ -179,6 +179,9 @@ def test_tiles_show_every_level(engine, tmp_path):
 
 
 def test_errors_are_one_line(engine, tmp_path):
+    import fieldfab as ff
+
+    ff.build(ff.value(1.0), bounds=(-1, -1, -1, 1, 1, 1), voxel=0.1).save(tmp_path / "empty.asdf")
     (tmp_path / "text.asdf").write_text("no distances\n")
     (tmp_path / "old" / "tileset").mkdir(parents=True)
     (tmp_path / "old" / "tileset" / "mine.txt").write_text("mine")
@@ -188,6 +191,8 @@ def test_errors_are_one_line(engine, tmp_path):
             ((tmp_path / "nothing.nrrd", "-o", tmp_path / "x.asdf"), "nothing.nrrd"),
             ((tmp_path / "nothing.asdf", "-o", tmp_path / "x.ply"), "nothing.asdf"),
             ((tmp_path / "text.asdf", "-o", tmp_path / "x.ply"), "text.asdf"),
+            ((tmp_path / "empty.asdf", "-o", tmp_path / "x.ply"), "no surface was found"),
+            ((tmp_path / "empty.asdf", "-o", tmp_path / "tileset.json"), "no surface was found"),
             ((asdf, "-o", tmp_path / "x.stl"), "write an .asdf, a .ply or a tileset.json"),
             ((asdf, "-o", tmp_path / "x.ply", "--cells", 100), "100 is not a power of two"),
             ((asdf, "-o", tmp_path / "x.ply", "--level", 3), "level"),
