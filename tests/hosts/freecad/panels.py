@@ -62,7 +62,7 @@ def key(widget, text="", code=0, modifiers=QtCore.Qt.NoModifier):
 
 def silhouette(name):
     """Returns the number of pixels of the 3D view in the solid's hue; saves a screenshot."""
-    picture = window.shot(name).convertToFormat(QtGui.QImage.Format_RGB32)
+    picture = window.shot(name, panel=False).convertToFormat(QtGui.QImage.Format_RGB32)
     view = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
     corner = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
     count = 0
