@@ -36,6 +36,13 @@ def panels(monkeypatch):
     return opened
 
 
+def document_tree():
+    """Returns the tree of documents."""
+    [tree] = [tree for tree in FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
+              if tree.headerItem().text(0).startswith("Labels")]
+    return tree
+
+
 def frep(document, text, voxel=0.5):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, voxel
