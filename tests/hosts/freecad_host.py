@@ -15,7 +15,8 @@ TIMEOUT = 150
 
 @pytest.fixture
 def home(tmp_path):
-    """A home folder with the workbench installed and the start page switched off."""
+    """A home folder with the workbench installed and the start page switched off. The camera of FreeCAD 1.x, which
+    turns for half a second, turns at once: tests look through it."""
     data = tmp_path / ".local" / "share" / "FreeCAD"
     (data / "Mod").mkdir(parents=True)
     (data / "Mod" / "Fieldfab").symlink_to(ROOT / "freecad_workbench")
@@ -27,6 +28,7 @@ def home(tmp_path):
 <FCParamGroup Name="General">
 <FCText Name="AutoloadModule">FieldfabWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/>
 </FCParamGroup>
+<FCParamGroup Name="View"><FCBool Name="UseNavigationAnimations" Value="0"/></FCParamGroup>
 <FCParamGroup Name="Mod"><FCParamGroup Name="Start">
 <FCBool Name="ShowOnStartup" Value="0"/><FCBool Name="closeStart" Value="1"/>
 </FCParamGroup></FCParamGroup>

@@ -31,7 +31,7 @@ class CheckPanel:
         FreeCADGui.Selection.clearSelection()  # the selection's green would hide the colours
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(tr("Cross-check"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("CrossCheck")))
+        self.form.setWindowIcon(FreeCADGui.getIcon(icon("CrossCheck")))  # Qt alone may lack its plugin for SVG
         layout = QtWidgets.QVBoxLayout(self.form)
         self.verdict = QtWidgets.QLabel(tr("Checking {label} against OpenVDB and CGAL…").format(label=obj.Label))
         self.verdict.setWordWrap(True)

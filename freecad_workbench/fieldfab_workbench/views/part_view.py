@@ -81,7 +81,7 @@ class PartView:
         event = callback.getEvent()
         if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
             return
-        at = tuple(event.getPosition().getValue())
+        at = tuple(event.getPosition()[axis] for axis in (0, 1))  # its getValue() is opaque in newer pivy
         if event.getState() == coin.SoButtonEvent.DOWN:
             self._pressed, self._cursor = at, QtGui.QCursor.pos()
             QtCore.QTimer.singleShot(TICK, self._look_for_release)

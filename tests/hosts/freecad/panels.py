@@ -36,6 +36,13 @@ def panels(monkeypatch):
     return opened
 
 
+def document_tree():
+    """Returns the tree of documents."""
+    [tree] = [tree for tree in FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
+              if tree.headerItem().text(0).startswith("Labels")]
+    return tree
+
+
 def frep(document, text, voxel=0.5):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, voxel
@@ -62,7 +69,7 @@ def key(widget, text="", code=0, modifiers=QtCore.Qt.NoModifier):
 
 def silhouette(name):
     """Returns the number of pixels of the 3D view in the solid's hue; saves a screenshot."""
-    picture = window.shot(name).convertToFormat(QtGui.QImage.Format_RGB32)
+    picture = window.shot(name, panel=False).convertToFormat(QtGui.QImage.Format_RGB32)
     view = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
     corner = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
     count = 0

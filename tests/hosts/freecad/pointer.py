@@ -4,7 +4,7 @@ import subprocess
 
 from window import live
 
-from fieldfab_workbench.shim import QtCore
+from fieldfab_workbench.shim import QtCore, QtWidgets
 from fieldfab_workbench.views import handles
 from fieldfab_workbench.views.part_view import PartView
 
@@ -41,14 +41,29 @@ def drag(widget, begin, end, steps=8):
 
 
 def drag_arrow(document, arrows, number, by):
-    """Drags one of a panel's arrows (views.handles.Handles) by `by` mm along its way."""
+    """Drags one of a panel's arrows (views.handles.Handles) by `by` mm along its way. An arrow under the panel, which
+    FreeCAD 1.1 lays over the view, is moved beside it first."""
     handle, view = arrows.arrows[number][0], PartView(document)
-    away, widget = handle.read() * handle.rate + handles.GRIP * arrows.size, view.widget()
+    away = handle.read() * handle.rate + handles.GRIP * arrows.size
     place = handle.start() + handle.along * away
-    scale = view.view.getSize()[0] / widget.width()  # screen pixels per Qt pixel
-    ends = [view.pixel_of(place + handle.along * way) for way in (0, by)]
-    drag(widget, *(QtCore.QPoint(round(x / scale), round(widget.height() - y / scale)) for x, y in ends))
+    if not _is_free(view.widget(), point_of(view, place)):
+        view.look_at(place)
+        live(0.3)
+        assert _is_free(view.widget(), point_of(view, place)), "the panel covers the middle of the view"
+    drag(view.widget(), *(point_of(view, place + handle.along * way) for way in (0, by)))
     live(0.4)
+
+
+def point_of(view, place):
+    """Returns the point of a PartView's widget where a place is seen."""
+    widget, (x, y) = view.widget(), view.pixel_of(place)
+    scale = view.view.getSize()[0] / widget.width()  # screen pixels per Qt pixel
+    return QtCore.QPoint(round(x / scale), round(widget.height() - y / scale))
+
+
+def _is_free(widget, point):
+    """Whether no other widget lies over a point of a view's widget."""
+    return QtWidgets.QApplication.widgetAt(widget.mapToGlobal(point)) in (widget, widget.viewport())
 
 
 def type_text(text):

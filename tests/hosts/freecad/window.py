@@ -35,14 +35,33 @@ def press(button):
         QtWidgets.QProgressBar, "Making")), 120, "the solid")
 
 
-def shot(name):
-    """Takes a picture of the whole window, as a QImage. It is saved as NAME.png in the folder FIELDFAB_SHOTS, if that
-    is set."""
+def shot(name, panel=True):
+    """Takes a picture of the whole window, as a QImage; with `panel=False` nothing lies over the 3D view. It is saved
+    as NAME.png in the folder FIELDFAB_SHOTS, if that is set."""
     live(0.3)
+    over = [] if panel else _uncover()
     picture = FreeCADGui.getMainWindow().screen().grabWindow(FreeCADGui.getMainWindow().winId()).toImage()
     if folder := os.environ.get("FIELDFAB_SHOTS"):
         picture.save(os.path.join(folder, f"{name}.png"))
+    for widget in over:
+        widget.show()
     return picture
+
+
+def _uncover():
+    """Hides the task panel where it lies over the 3D view, as by default in FreeCAD 1.1. Returns what was hidden."""
+    hidden = []
+
+    def is_free():  # FreeCAD may show it again a moment after a panel was closed
+        over = [widget for widget in FreeCADGui.getMainWindow().findChildren(QtWidgets.QTabWidget)
+                if widget.metaObject().className() == "Gui::OverlayTabWidget" and widget.isVisible()]
+        for widget in over:
+            widget.hide()
+        hidden.extend(over)
+        return not over
+
+    wait(is_free, 10, "the whole view")
+    return hidden
 
 
 def pixels(picture, x, y, width, height):
@@ -53,9 +72,10 @@ def pixels(picture, x, y, width, height):
 
 
 def view_pixels(name, view):
-    """Takes a picture as shot() does. Returns the widget of a PartView, as pixels() does."""
+    """Takes a picture as shot() does, without a panel over the view. Returns the widget of a PartView, as pixels()
+    does."""
     at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
-    return pixels(shot(name), at.x(), at.y(), view.widget().width(), view.widget().height())
+    return pixels(shot(name, panel=False), at.x(), at.y(), view.widget().width(), view.widget().height())
 
 
 def clock():

@@ -9,7 +9,7 @@ import FreeCADGui
 import pointer
 import pytest
 import window
-from panels import panels  # noqa: F401
+from panels import document_tree, panels  # noqa: F401
 from window import live, wait
 
 from fieldfab_workbench.panels.gallery import Gallery
@@ -54,8 +54,7 @@ class Hand:
 
     def row(self, obj, held=None):
         """Clicks an object in the tree of documents."""
-        [tree] = [tree for tree in seen(QtWidgets.QTreeWidget) if tree.headerItem().text(0).startswith("Labels")]
-        self.line(tree, obj.Label, held)
+        self.line(document_tree(), obj.Label, held)
 
     def drag(self, document, arrows, number, by):
         pointer.drag_arrow(document, arrows, number, by)

@@ -1,11 +1,8 @@
 """Runs inside FreeCAD's window: an error and a cancellation each give the user one line."""
 
 import FreeCAD
-import FreeCADGui
 import pytest
-import window
-from panels import QtCore, QtWidgets, frep
-from window import live, wait
+from panels import frep
 from window_life import report  # noqa: F401
 
 from fieldfab_workbench import work
@@ -93,33 +90,3 @@ def test_a_python_error_of_ours_keeps_its_traceback(report):  # noqa: F811
     obj.Proxy.mesh_settings = lambda obj: 1 / 0
     document.recompute()
     assert "Traceback" in report()
-
-
-def dialogs():
-    return [box for box in QtWidgets.QApplication.topLevelWidgets()
-            if isinstance(box, QtWidgets.QMessageBox) and box.isVisible()]
-
-
-def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):  # noqa: F811
-    """By File > Import."""
-    design = tmp_path / "wrong.scad"
-    design.write_text("cube([1, 2, 3]);\nsphere(r = ;\n")
-    FreeCAD.newDocument()
-    live(0.2)
-
-    def choose():
-        dialog = QtWidgets.QApplication.activeModalWidget()
-        dialog.selectNameFilter(next(kind for kind in dialog.nameFilters()
-                                     if kind.startswith("OpenSCAD design by Fieldfab")))
-        dialog.findChild(QtWidgets.QLineEdit, "fileNameEdit").setText(str(design))
-        dialog.findChild(QtWidgets.QDialogButtonBox).button(QtWidgets.QDialogButtonBox.Open).click()
-
-    QtCore.QTimer.singleShot(500, choose)
-    FreeCADGui.runCommand("Std_Import")
-    wait(dialogs, 30, "the dialog")
-    [box] = dialogs()
-    window.shot("mistake_scad")
-    assert "line 2" in box.text() and "syntax error" in box.text().lower(), box.text()
-    box.button(QtWidgets.QMessageBox.Ok).click()
-    said = report().splitlines()
-    assert len(said) == 1 and "Fieldfab: " in said[0], said

@@ -5,10 +5,12 @@ import pathlib
 import sys
 import time
 
+import FreeCAD
 import FreeCADGui
 import pytest
 import window
 from window import Heartbeat, live, press, wait
+from window_life import report  # noqa: F401
 
 from fieldfab_workbench import files, openscad_files, work
 from fieldfab_workbench.objects import openscad_node
@@ -279,3 +281,33 @@ def test_a_tree_of_three_hundred_parts(document, tmp_path):
     document.recompute()
     print(f"300 parts: imported in {imported:.2f} s, changed in {time.monotonic() - began:.2f} s")
     assert root.isValid() and imported < 20
+
+
+def dialogs():
+    return [box for box in QtWidgets.QApplication.topLevelWidgets()
+            if isinstance(box, QtWidgets.QMessageBox) and box.isVisible()]
+
+
+def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):  # noqa: F811
+    """By File > Import."""
+    design = tmp_path / "wrong.scad"
+    design.write_text("cube([1, 2, 3]);\nsphere(r = ;\n")
+    FreeCAD.newDocument()
+    live(0.2)
+
+    def choose():
+        dialog = QtWidgets.QApplication.activeModalWidget()
+        dialog.selectNameFilter(next(kind for kind in dialog.nameFilters()
+                                     if kind.startswith("OpenSCAD design by Fieldfab")))
+        dialog.findChild(QtWidgets.QLineEdit, "fileNameEdit").setText(str(design))
+        dialog.findChild(QtWidgets.QDialogButtonBox).button(QtWidgets.QDialogButtonBox.Open).click()
+
+    QtCore.QTimer.singleShot(500, choose)
+    FreeCADGui.runCommand("Std_Import")
+    wait(dialogs, 30, "the dialog")
+    [box] = dialogs()
+    window.shot("mistake_scad")
+    assert "line 2" in box.text() and "syntax error" in box.text().lower(), box.text()
+    box.button(QtWidgets.QMessageBox.Ok).click()
+    said = report().splitlines()
+    assert len(said) == 1 and "Fieldfab: " in said[0], said

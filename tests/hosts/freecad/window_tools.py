@@ -2,7 +2,7 @@
 
 import FreeCADGui
 import window
-from panels import Button, QtWidgets, document, frep, panels  # noqa: F401
+from panels import Button, document, document_tree, frep, panels  # noqa: F401
 from window import live, press
 
 from fieldfab_workbench.objects import cam_setup
@@ -18,8 +18,7 @@ def new_setup(document):
 
 def shown(panel):
     """Returns the name of the first tool in the table, in the tree and in the operation."""
-    tree = FreeCADGui.getMainWindow().findChild(QtWidgets.QTreeWidget)
-    tool = panel.obj.Tools[0]
+    tree, tool = document_tree(), panel.obj.Tools[0]
     [item] = [item for item in tree.findItems("*", window.QtCore.Qt.MatchWildcard | window.QtCore.Qt.MatchRecursive)
               if item.text(0) == tool.Label]
     return {panel.tools.table.item(0, 1).text(), item.text(0), panel.operation_form.tool.itemText(0).split(": ", 1)[1]}
