@@ -1,5 +1,6 @@
 """Editor for .frep text with syntax colours, completion and help on names."""
 
+import time
 from html import escape
 
 from .. import frep_language as language
@@ -11,6 +12,7 @@ from .code_editor import CodeEditor
 COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "function": "#1f5fae", "constant": "#7a3e9d",
            "variable": "#a0341f",
            "parameter": "#00695c", "option": "#00695c", "colour": "#8a5a00"}
+TYPING = 1.0  # s after a key in which the focus is not given away
 INSERTED = QtCore.Qt.UserRole + 1  # item role: the text that a completion inserts
 
 
@@ -40,6 +42,7 @@ class FrepEditor(CodeEditor):
     def prepare(self):
         self.highlighter = Highlighter(self.document())
         self.popup = self._completer()
+        self._typed = 0.0  # time of the last key
 
     # Check and colours.
     def examine(self, text):
@@ -119,6 +122,7 @@ class FrepEditor(CodeEditor):
 
     # Overrides of Qt methods.
     def keyPressEvent(self, event):
+        self._typed = time.monotonic()
         keys, shown = QtCore.Qt, self.popup.popup().isVisible()
         if shown and event.key() in (keys.Key_Enter, keys.Key_Return, keys.Key_Tab, keys.Key_Escape, keys.Key_Backtab):
             event.ignore()  # handled by the popup
@@ -131,6 +135,13 @@ class FrepEditor(CodeEditor):
             self.complete()
         elif event.text():
             self.popup.popup().hide()
+
+    def focusOutEvent(self, event):
+        """Takes the focus back while the user types. In Qt 6 on X11 a completion's popup becomes the active window,
+        and FreeCAD's, when it is active again, gives the focus to the 3D view."""
+        super().focusOutEvent(event)
+        if event.reason() == QtCore.Qt.OtherFocusReason and time.monotonic() - self._typed < TYPING:
+            self.setFocus()
 
     def event(self, event):
         if event.type() == QtCore.QEvent.ToolTip:

@@ -25,6 +25,8 @@ def test_the_editor_is_open_at_once_and_no_typing_is_lost(document, panels, monk
     panel.text.selectAll()
     type_text("sphere(r = 7)")
     wait(lambda: panel.text.toPlainText() == "sphere(r = 7)", 5, "what was typed")
+    live(0.5)
+    assert panel.text.hasFocus(), "the popup of completions leaves it the focus"
     assert not [box for box in QtWidgets.QApplication.topLevelWidgets()
                 if isinstance(box, QtWidgets.QProgressDialog) and box.isVisible()]
     wait(lambda: panel.preview.stage == "final", 30, "the solid")

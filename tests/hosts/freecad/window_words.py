@@ -79,10 +79,10 @@ def test_choices_of_a_property_panel_are_german(german, panels):  # noqa: F811
     german.recompute()
     edit(made)
     panel = panels[-1]
-    labels = [panel.rows.labelForField(panel.rows.itemAt(row, panel.rows.FieldRole).widget()).text()
+    labels = [panel.rows.labelForField(panel.rows.itemAt(row, QtWidgets.QFormLayout.FieldRole).widget()).text()
               for row in range(panel.rows.rowCount())]
     assert labels[0] == "Operation" and "Ausgangskörper" in labels
-    box = panel.rows.itemAt(0, panel.rows.FieldRole).widget()
+    box = panel.rows.itemAt(0, QtWidgets.QFormLayout.FieldRole).widget()
     assert box.currentText() == "Vereinigung" and box.currentData() == "Union"
     box.setCurrentIndex(box.findText("Differenz"))
     box.activated.emit(box.currentIndex())
