@@ -270,7 +270,7 @@ class Window:
 
     def fill_in(self, rows_from_the_last):
         """Types values into the dialog: pairs of steps back from Apply, and text. Returns the focus to Apply."""
-        more = 0 if VERSION.startswith("2020") else 3  # later dialogs have three more places for the focus
+        more = {"2020": 0, "2022": 3}.get(VERSION[:4], 2)  # later dialogs have more places for the focus
         for steps, text in ((steps + more, text) for steps, text in rows_from_the_last):
             self.keys(*["shift+Tab"] * steps)
             if text == "Down":  # selects the next item of a list
