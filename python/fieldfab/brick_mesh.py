@@ -35,14 +35,13 @@ def make_brick(task, brick, level=0):
     if not len(mesh.triangles):
         return None
     name = os.path.join(task["folder"], "-".join(map(str, (level, *brick))) + task["suffix"])
-    # Another worker may make the same brick, when Dask takes this one for lost.
-    handle, unfinished = tempfile.mkstemp(task["suffix"], dir=task["folder"])
-    os.close(handle)
     if task["suffix"] == ".npz":
+        # Another worker may make the same brick, when Dask takes this one for lost.
+        unfinished = f"{name}.{os.uname().nodename}.{os.getpid()}.npz"
         np.savez(unfinished, vertices=mesh.vertices, triangles=mesh.triangles, seam=seam)
+        os.replace(unfinished, name)
     else:
-        mesh.save(unfinished)
-    os.replace(unfinished, name)
+        mesh.save(name)
     box = [mesh.vertices.min(axis=0).tolist(), mesh.vertices.max(axis=0).tolist()]
     return {"brick": brick, "file": name, "box": box}
 
