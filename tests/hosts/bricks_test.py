@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 
 from conftest import BUILD, COMMAND, DATA
+from mesh_files import read_ply
+from volume_test import write_lace
 
 ENGINE = DATA / "ct" / "engine.nii.gz"
 PYTHON = ["/usr/bin/python3", "-m", "fieldfab.bricks"]
@@ -38,12 +40,10 @@ def engine(tmp_path_factory):
     return folder
 
 
-def read_ply(path):
-    header, data = path.read_bytes().split(b"end_header\n", 1)
-    vertices, faces = (int(line.split()[2]) for line in header.decode().splitlines() if line.startswith("element"))
-    rows = np.frombuffer(data, [("count", "u1"), ("corners", "<i4", 3)], faces, 12 * vertices)
-    assert len(data) == 12 * vertices + 13 * faces and (rows["count"] == 3).all()
-    return np.frombuffer(data, "<f4", 3 * vertices).reshape(-1, 3), rows["corners"]
+def mesh_of(path):
+    """The vertices, (n, 3), and triangles of a .ply file."""
+    vertices, triangles = read_ply(path)
+    return np.stack([vertices[axis] for axis in "xyz"], axis=1), triangles
 
 
 def by_coordinates(vertices, triangles):
@@ -58,8 +58,8 @@ def by_coordinates(vertices, triangles):
 def assert_same_mesh(path, expected):
     import fieldfab as ff
 
-    vertices, triangles = read_ply(path)
-    wanted = read_ply(expected)
+    vertices, triangles = mesh_of(path)
+    wanted = mesh_of(expected)
     assert len(vertices) == len(wanted[0]) and len(triangles) == len(wanted[1])
     assert np.array_equal(by_coordinates(vertices, triangles), by_coordinates(*wanted))
     assert ff.inspect(ff.Mesh(vertices, triangles)).valid
@@ -175,7 +175,7 @@ def test_tiles_show_every_level(engine, tmp_path):
         run("mesh", engine / "engine.asdf", "-o", one, "--level", level)
         found = [by_coordinates(vertices, triangles) for vertices, triangles in tiles]
         found = np.concatenate(found)
-        assert np.array_equal(found[np.lexsort(found.T[::-1])], by_coordinates(*read_ply(one))), level
+        assert np.array_equal(found[np.lexsort(found.T[::-1])], by_coordinates(*mesh_of(one))), level
 
 
 def test_errors_are_one_line(engine, tmp_path):
@@ -209,15 +209,7 @@ def test_errors_are_one_line(engine, tmp_path):
 @pytest.mark.skipif("FIELDFAB_SLOW" not in os.environ, reason="writes 3.9 GB; FIELDFAB_SLOW=1 runs it")
 def test_a_volume_of_3_9_gigabytes(tmp_path):
     """992^3 floats become a mesh in processes of less than 2 GB each."""
-    n = 992
-    volume = tmp_path / f"lace_{n}x{n}x{n}_float32.raw"
-    a = np.arange(n, dtype=np.float32) * 0.1
-    with open(volume, "wb") as file:
-        x, y = a[None, :], a[:, None]
-        for z in a:
-            web = np.abs(np.sin(x) * np.cos(y) + np.sin(y) * np.cos(z) + np.sin(z) * np.cos(x)) - 0.5
-            ball = np.clip(np.sqrt((x - 49.6) ** 2 + (y - 49.6) ** 2 + (z - 49.6) ** 2) - 42, -2, 2)
-            file.write((0.5 - np.maximum(web, ball)).astype("<f4").tobytes())
+    volume = write_lace(tmp_path)
     start, greatest = time.monotonic(), 0
     running = subprocess.Popen([*PYTHON, volume, "-o", tmp_path / "lace.ply", "--threshold", "0.5"], env=ENVIRONMENT,
                                stdout=subprocess.PIPE, text=True)

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from conftest import COMMAND
+from mesh_files import read_ply
 
 
 # A plate of 40 x 30 mm, faced to z = -1; its sides and bottom are the stock's.
@@ -70,20 +71,6 @@ def folder(tmp_path_factory):
     for name, lines in {"good": program(), "gouge": program(gouge=-1.4, rapid=True, left_out=-7)}.items():
         (folder / f"{name}.nc").write_bytes("\n".join(lines).encode("latin-1") + b"\n")
     return folder
-
-
-def read_ply(path):
-    """Returns the header's properties, the vertices by name, and the triangles."""
-    data = path.read_bytes()
-    head, body = data.split(b"end_header\n", 1)
-    kinds = {"float": "<f4", "int": "<i4", "uchar": "u1"}
-    count = {name: int(n) for name, n in re.findall(r"element (\w+) (\d+)", head.decode())}
-    row = np.dtype([(name, kinds[kind])
-                    for kind, name in re.findall(r"property (float|int|uchar) (\w+)\n", head.decode())])
-    vertices = np.frombuffer(body, row, count["vertex"])
-    faces = np.frombuffer(body[vertices.nbytes:], np.dtype([("n", "u1"), ("at", "<i4", 3)]), count["face"])
-    assert len(body) == vertices.nbytes + faces.nbytes and (faces["n"] == 3).all()
-    return vertices, faces["at"]
 
 
 def read_png(data):
