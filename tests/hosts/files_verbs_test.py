@@ -185,6 +185,16 @@ def test_memory_that_is_refused(name, lasting, folder, tmp_path):
     assert 3 in codes
 
 
+def test_memory_that_is_refused_while_machine_code_is_made(folder, tmp_path):
+    """An instruction that lacks its memory is not left out of code that runs: the last hundreds of requests, one by
+    one, are those of rendering."""
+    words, outputs = WRITES["height map"]
+    assert once(words, outputs, folder, call="malloc", count=tmp_path / "count").returncode == 0
+    total = int((tmp_path / "count").read_text())
+    for number in range(total - 300, total):
+        assert once(words, outputs, folder, call="malloc", at=number).returncode in (0, 2, 3), number
+
+
 # Names that are not UTF-8
 
 

@@ -10,8 +10,9 @@ namespace fieldfab::frep {
 namespace x86 = asmjit::x86;
 
 VectorAssembler::VectorAssembler(std::size_t lanes) : lanes_(lanes), wide_(lanes == 16) {
-  holder_.init(asmjit::Environment::host());
-  holder_.attach(&code);
+  failures_.any = holder_.init(asmjit::Environment::host()) != asmjit::kErrorOk;
+  holder_.setErrorHandler(&failures_);
+  if (holder_.attach(&code) != asmjit::kErrorOk) failures_.any = true;
   constants_ = code.newLabel();
   loop_ = code.newLabel();
   done_ = code.newLabel();
@@ -159,7 +160,8 @@ std::unique_ptr<CodeMemory> VectorAssembler::finish() {
   for (const auto& [bits, place] : constant_places_)
     for (std::size_t lane = 0; lane < lanes_; ++lane) table[static_cast<std::size_t>(place) * lanes_ + lane] = bits;
   code.embed(table.data(), table.size() * sizeof(std::uint32_t));
-  if (holder_.flatten() != asmjit::kErrorOk || holder_.resolveUnresolvedLinks() != asmjit::kErrorOk) return nullptr;
+  if (failures_.any || holder_.flatten() != asmjit::kErrorOk || holder_.resolveUnresolvedLinks() != asmjit::kErrorOk)
+    return nullptr;
   std::unique_ptr<CodeMemory> memory = CodeMemory::reserve(holder_.codeSize());
   if (!memory || holder_.relocateToBase(reinterpret_cast<std::uint64_t>(memory->data())) != asmjit::kErrorOk)
     return nullptr;

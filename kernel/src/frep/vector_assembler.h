@@ -111,8 +111,17 @@ class VectorAssembler {
   void extreme(asmjit::x86::Inst::Id instruction, const Vec& to, const Vec& a, const Vec& b, const Vec& scratch,
                const Mask& mask);
 
+  /// Whether asmjit failed at any instruction, as where memory is refused: the code lacks it then, and must not run.
+  struct Failures final : asmjit::ErrorHandler {
+    bool any = false;
+    void handleError(asmjit::Error /*error*/, const char* /*message*/, asmjit::BaseEmitter* /*origin*/) override {
+      any = true;
+    }
+  };
+
   std::size_t lanes_;
   bool wide_;
+  Failures failures_;
   asmjit::CodeHolder holder_;
   asmjit::x86::Assembler code;
   asmjit::Label constants_, loop_, done_;
