@@ -1,6 +1,4 @@
 // Python bindings of distance fields.
-#include <fmt/format.h>
-
 #include "bindings.h"
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/contour/bricks.h"

@@ -4,7 +4,6 @@ import json
 import os
 import pathlib
 import shutil
-import tempfile
 
 import numpy as np
 
@@ -13,8 +12,8 @@ def bricks_of(task, level=0):
     """The MeshBricks of a task: {"asdf": file, "settings": arguments of MeshBricks}."""
     import fieldfab as ff
 
-    return ff.MeshBricks(task["asdf"], level=task["settings"].get("level", 0) + level,
-                         **{name: value for name, value in task["settings"].items() if name != "level"})
+    settings = {"level": 0, **task["settings"]}
+    return ff.MeshBricks(task["asdf"], **{**settings, "level": settings["level"] + level})
 
 
 def all_bricks(count):
@@ -25,8 +24,9 @@ def all_bricks(count):
 def make_brick(task, brick, level=0):
     """Meshes one brick; runs in a worker.
 
-    Returns None where no surface is, or {"brick", "file", "box"}: the box, mm, has the shape (2, 3). The file, .npz
-    with "vertices" (n, 3), "triangles" (m, 3) and "seam" (k,), or .glb for tiles, is complete or not there.
+    Returns None where no surface is, or {"brick", "file", "box", "triangles"}: the box, mm, has the shape (2, 3), and
+    "triangles" is their number. The file is complete or not there: .npz with "vertices" (n, 3), "triangles" (m, 3) and
+    "seam" (k,), or .glb for tiles.
     """
     import fieldfab as ff
 
@@ -43,7 +43,7 @@ def make_brick(task, brick, level=0):
     else:
         mesh.save(name)
     box = [mesh.vertices.min(axis=0).tolist(), mesh.vertices.max(axis=0).tolist()]
-    return {"brick": brick, "file": name, "box": box}
+    return {"brick": brick, "file": name, "box": box, "triangles": len(mesh.triangles)}
 
 
 class Seams:
@@ -59,7 +59,7 @@ class Seams:
                 seams.append(vertices[seam])
         # A seam's vertices have the same coordinates in all bricks, to the bit.
         ends = np.cumsum([0] + [len(seam) for seam in seams])
-        bytes_of = np.ascontiguousarray(np.concatenate(seams) if seams else np.zeros((0, 3), np.float32)).view("V12")
+        bytes_of = np.ascontiguousarray(np.concatenate(seams)).view("V12")
         _, first, which = np.unique(bytes_of.ravel(), return_index=True, return_inverse=True)
         which = which.ravel()
         own = first[which] == np.arange(len(which))
@@ -91,45 +91,37 @@ def open_edges(seams):
         for a, b in ((0, 1), (1, 2), (2, 0)):
             both = on_seam[:, a] & on_seam[:, b]
             edges.append(triangles[both][:, [a, b]])
-    edges = np.concatenate(edges) if edges else np.zeros((0, 2), np.int64)
+    edges = np.concatenate(edges)
     there = np.sort(edges[:, 0] << 32 | edges[:, 1])
     back = np.sort(edges[:, 1] << 32 | edges[:, 0])
     return len(np.setxor1d(there, back)) + int((there[1:] == there[:-1]).sum())
 
 
-def join(made, output):
-    """Writes one .ply file of the bricks that make_brick() made. Returns how many vertices and triangles, by name."""
+def join(made, made_in, output):
+    """Joins the bricks that make_brick() made into one .ply file, which is `output` once it is complete, and in the
+    folder `made_in` until then. Returns how many vertices and triangles, by name."""
     seams = Seams([part["file"] for part in made])
-    triangles = 0
-    for _, of_part, _ in seams.parts():
-        triangles += len(of_part)
+    triangles = sum(part["triangles"] for part in made)
     if seams.vertices >= 2**31 or triangles >= 2**31:
         raise ValueError(f"{triangles} triangles are more than a .ply file can have; write tiles (tileset.json)")
     if wrong := open_edges(seams):
         raise RuntimeError(f"the seams between bricks leave {wrong} edges open; please report this")
-    handle, unfinished = tempfile.mkstemp(".ply", f".{output.name}.", output.parent)
-    try:
-        with open(handle, "wb") as file:
-            file.write((
-                "ply\nformat binary_little_endian 1.0\ncomment by Fieldfab, mm\n"
-                f"element vertex {seams.vertices}\nproperty float x\nproperty float y\nproperty float z\n"
-                f"element face {triangles}\nproperty list uchar int vertex_indices\nend_header\n").encode())
-            for vertices, _, _ in seams.parts():
-                file.write(np.ascontiguousarray(vertices, "<f4").data)
-            for _, of_part, _ in seams.parts():
-                rows = np.empty(len(of_part), [("count", "u1"), ("corners", "<i4", 3)])
-                rows["count"] = 3
-                rows["corners"] = of_part
-                file.write(rows.data)
-            file.flush()
-            os.fsync(file.fileno())
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(unfinished, 0o666 & ~mask)
-        os.replace(unfinished, output)
-    except BaseException:
-        os.unlink(unfinished)
-        raise
+    unfinished = pathlib.Path(made_in) / output.name
+    with open(unfinished, "wb") as file:
+        file.write((
+            "ply\nformat binary_little_endian 1.0\ncomment by Fieldfab, mm\n"
+            f"element vertex {seams.vertices}\nproperty float x\nproperty float y\nproperty float z\n"
+            f"element face {triangles}\nproperty list uchar int vertex_indices\nend_header\n").encode())
+        for vertices, _, _ in seams.parts():
+            file.write(np.ascontiguousarray(vertices, "<f4").data)
+        for _, of_part, _ in seams.parts():
+            rows = np.empty(len(of_part), [("count", "u1"), ("corners", "<i4", 3)])
+            rows["count"] = 3
+            rows["corners"] = of_part
+            file.write(rows.data)
+        file.flush()
+        os.fsync(file.fileno())
+    unfinished.replace(output)
     return {"vertices": seams.vertices, "triangles": triangles}
 
 

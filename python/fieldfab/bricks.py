@@ -109,7 +109,7 @@ def mesh(asdf, output, workers=2, scheduler=None, **settings):
             raise ValueError(f"{asdf}: no surface was found, and no mesh was written")
         if not tiles:
             made = [part for part in made if part]
-            return {"bricks": len(made), **brick_mesh.join(made, output)}
+            return {"bricks": len(made), **brick_mesh.join(made, folder, output)}
         levels = [[part for part, (_, of) in zip(made, work) if part and of == level] for level in range(len(plans))]
         brick_mesh.write_tiles(levels, [plan.voxel for plan in plans], folder, output)
         return {"bricks": sum(map(len, levels))}
