@@ -23,6 +23,7 @@ import pytest
 from conftest import BUILD, COMMAND, ROOT
 from documents import COMMAND_IN_PROSE, DOCUMENTS, NAME_OF_VERB, code_of
 from freecad_host import screen  # noqa: F401: a fixture
+from programs import need
 
 import fieldfab as ff
 from fieldfab import koko_script
@@ -248,6 +249,8 @@ def each_of(places):
 @each_of([each for each in TO_RUN if not opens_a_window(each.command) and not re.match(SERVES, each.command)])
 def test_command(place, folders):
     folder = folders(place.document)
+    if ".scad" in place.text:
+        need("openscad")
     if place.session:
         (folder / "session").write_text(place.session)
         for name in given_in(place.session):
@@ -397,6 +400,7 @@ def test_job_machine_or_setup(place, tmp_path):
 
 @of_language("openscad")
 def test_design(place, tmp_path):
+    need("openscad")
     (tmp_path / "design.scad").write_text(place.text)
     for name in given_in(place.text):
         give(name, tmp_path)

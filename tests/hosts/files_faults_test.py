@@ -10,6 +10,7 @@ import faults
 import pytest
 from conftest import BUILD
 from files_writing_test import OLD, inputs
+from programs import need
 
 KILLS = int(os.environ.get("FIELDFAB_KILLS", "6"))
 COMMANDS = {
@@ -177,8 +178,7 @@ SCAD = "use <fieldfab.scad>\nsmooth_union(2) {{ cube(10); translate([5, 5, 5]) c
 
 def test_a_loss_of_power_leaves_no_mesh_under_another_ones_note(tmp_path):
     """The cache of OpenSCAD's meshes: a design that is changed and reverted gets its own mesh."""
-    if shutil.which("openscad") is None:
-        pytest.skip("openscad is not installed")
+    need("openscad")
     folder = tmp_path / "work"
     folder.mkdir()
     design = folder / "design.scad"

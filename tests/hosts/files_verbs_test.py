@@ -16,6 +16,7 @@ import pytest
 from conftest import COMMAND
 from files_faults_test import KILLS
 from files_writing_test import OLD, inputs, interrupted
+from programs import lacks, need
 
 # Arguments of a command, and its output files.
 WRITES = {
@@ -54,8 +55,8 @@ def folder(tmp_path):
 def once(words, outputs, folder, **injected):
     """Runs a command over old files, and checks the guarantees for any outcome. Returns the replaced files."""
     shutil.rmtree(folder / "fieldfab-cache", ignore_errors=True)
-    if words.startswith("openscad") and shutil.which("openscad") is None:
-        pytest.skip("openscad is not installed")
+    if words.startswith("openscad"):
+        need("openscad")
     for name in outputs:
         (folder / name).write_bytes(OLD)
     before = faults.files_of(folder)
@@ -214,8 +215,8 @@ def in_bytes(folder, words):
 @pytest.mark.parametrize("kind", MODELS)
 def test_models_whose_names_are_no_utf8(kind, folder):
     path = os.path.join(os.fsencode(folder), b"n\xff." + kind.encode())
-    if kind == "scad" and shutil.which("openscad") is None:
-        pytest.skip("openscad is not installed")
+    if kind == "scad":
+        need("openscad")
     with open(path, "w") as file:
         file.write(MODELS[kind])
     done = in_bytes(folder, [b"mesh", path, b"-o", b"made\xff.stl", b"--voxel", b"1"])
@@ -250,7 +251,7 @@ def test_json_of_programs_whose_names_are_no_utf8(folder):
     commands = [[b"cam", b"job\xff.toml", b"-o", b"a\xff.nc", b"--picture", b"a\xff.svg", b"--sheet", b"a\xff.html"],
                 [b"simulate", b"program\xff.nc", b"--setup", b"setup\xff.toml", b"-o", b"b\xff.stl",
                  b"--report", b"b\xff.json", b"--report", b"b\xff.html"]]
-    if shutil.which("openscad") is not None:
+    if not lacks("openscad"):
         commands.append([b"openscad", b"box\xff.scad", b"-o", b"c\xff.stl"])
     for words in commands:
         done = in_bytes(folder, words)

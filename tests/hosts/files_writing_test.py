@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 from conftest import BUILD, COMMAND
 from freecad_host import screen  # noqa: F401: a fixture
+from programs import need
 
 OLD = b"the old file"
 JOB = """
@@ -111,8 +112,8 @@ def folder(tmp_path):
 
 def words_of(name, out):
     words = OUTPUTS[name].split()
-    if words[0] == "openscad" and shutil.which("openscad") is None:
-        pytest.skip("openscad is not installed")
+    if words[0] == "openscad":
+        need("openscad")
     return [str(out) if word == "OUT" else str(out.parent) if word == "FOLDER" else word for word in words]
 
 
@@ -327,8 +328,8 @@ VERBS = {
 
 
 def shell(folder, verb, redirections, options=""):
-    if verb == "openscad" and shutil.which("openscad") is None:
-        pytest.skip("openscad is not installed")
+    if verb == "openscad":
+        need("openscad")
     command = f"{COMMAND} {options} {VERBS[verb]} {redirections}"
     return subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=120, cwd=folder)
 
@@ -565,8 +566,8 @@ def test_what_is_started_ends_with_the_one_that_started_it(how, folder):
         "workbench": [sys.executable, "-c", "import subprocess, sys; "
                       "subprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.py']).wait()"],
     }[how]
-    if how == "openscad" and shutil.which("openscad") is None:
-        pytest.skip("openscad is not installed")
+    if how == "openscad":
+        need("openscad")
     process = subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
     deadline = time.monotonic() + 20
@@ -580,6 +581,7 @@ def test_what_is_started_ends_with_the_one_that_started_it(how, folder):
 @pytest.mark.parametrize("host", ["meshlab", "edit"])
 def test_what_a_window_starts_ends_with_it(host, folder, screen):  # noqa: F811
     """OpenSCAD, at work for MeshLab or for the edit window, ends with them, even if they are killed."""
+    need("openscad")
     (folder / "endless.scad").write_text("function f(n) = n < 1 ? 1 : f(n - 1) + f(n - 1); echo(f(40)); cube(f(40));")
     words = {"meshlab": [BUILD / "meshlab" / "meshlabserver", "-i", "endless.scad"],
              "edit": [COMMAND, "edit", "endless.scad"]}[host]

@@ -12,11 +12,12 @@ import zlib
 
 import nibabel
 import numpy as np
-import pyopenvdb
 import pytest
 
 from conftest import BUILD, COMMAND, ROOT
 from meshlab_host import MESHLABSERVER
+from openvdb_module import openvdb
+from programs import need
 
 MESHES = ("stl", "ply", "off", "obj", "3mf")
 VOLUMES = ("nrrd", "mha", "nii", "nii.gz")
@@ -77,6 +78,7 @@ def test_meshes_go_from_any_form_to_any_other_and_back(folder, tmp_path, first, 
 
 
 def openscad(source, target):
+    need("openscad")
     scad = target.parent / "import.scad"
     scad.write_text(f'import("{source}");')
     run("openscad", "-o", target, scad)
@@ -132,6 +134,7 @@ def test_meshes_of_other_programs_are_read(folder, tmp_path, program, extension)
 
 
 def test_stl_as_text_is_what_openscad_writes(tmp_path):
+    need("openscad")
     (tmp_path / "cube.scad").write_text("translate([1, 2, 3]) cube([3, 4, 5]);")
     run("openscad", "-o", tmp_path / "cube.stl", tmp_path / "cube.scad")
     assert (tmp_path / "cube.stl").read_bytes().startswith(b"solid")
@@ -453,13 +456,13 @@ def test_units_that_are_not_known_are_refused(tmp_path):
 
 def test_level_sets_by_openvdb(folder, tmp_path):
     summary("convert", folder / "part.frep", "-o", tmp_path / "ours.vdb", "--voxel", 0.25)
-    (grid,), _ = pyopenvdb.readAll(str(tmp_path / "ours.vdb"))
+    (grid,), _ = openvdb.readAll(str(tmp_path / "ours.vdb"))
     assert grid.gridClass == "level set" and np.allclose(grid.transform.voxelSize(), 0.25)
     ours = summary("mesh", tmp_path / "ours.vdb", "-o", tmp_path / "ours.stl")
     assert ours["volume"] == pytest.approx(told(folder / "part.stl")["volume"], rel=0.02)
     assert np.allclose(told(tmp_path / "ours.stl")["bounds"], BOUNDS, rtol=0, atol=0.1)
-    theirs = pyopenvdb.createLevelSetSphere(radius=4.0, center=(1.0, 2.0, 3.0), voxelSize=0.25)
-    pyopenvdb.write(str(tmp_path / "theirs.vdb"), theirs)
+    theirs = openvdb.createLevelSetSphere(radius=4.0, center=(1.0, 2.0, 3.0), voxelSize=0.25)
+    openvdb.write(str(tmp_path / "theirs.vdb"), theirs)
     ball = summary("mesh", tmp_path / "theirs.vdb", "-o", tmp_path / "theirs.stl")
     assert ball["volume"] == pytest.approx(VOLUME, rel=0.01)
     assert np.allclose(told(tmp_path / "theirs.stl")["bounds"], [[-3, 5], [-2, 6], [-1, 7]], atol=0.05)

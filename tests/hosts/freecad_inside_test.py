@@ -1,19 +1,17 @@
 """The workbench, tested from inside the real FreeCAD: inside_*.py without a window, window_*.py in its window."""
 
-import shutil
-
 import pytest
 from freecad_host import HERE, home, run_inside, screen  # noqa: F401
+from programs import need
 
 FOLDER = HERE / "freecad"
-# Programs that a file needs and that a release of Debian may lack: forky has no openscad.
+# Programs that a file needs.
 NEEDS = {"inside_openscad": "openscad", "window_openscad": "openscad"}
 
 
 def require(file):
-    program = NEEDS.get(file.stem)
-    if program and shutil.which(program) is None:
-        pytest.skip(f"{program} is not installed")
+    if file.stem in NEEDS:
+        need(NEEDS[file.stem])
 
 
 @pytest.mark.parametrize("file", sorted(FOLDER.glob("inside_*.py")), ids=lambda p: p.stem)

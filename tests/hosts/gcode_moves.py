@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 from dataclasses import dataclass
 
+from programs import need
+
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 READER = os.path.join(REPOSITORY, "build/release/bin/gcode_moves")
 TIMEOUT = 100  # seconds for rs274
@@ -54,6 +56,7 @@ def ours(program, tools=TOOLS):
 
 def rs274(program, tools=TOOLS):
     """Returns (moves, error or "") of LinuxCNC's interpreter, with work offsets, G92 and rotation applied."""
+    need("rs274")
     with tempfile.TemporaryDirectory() as folder:
         table, variables, out = folder + "/tool.tbl", folder + "/v.var", folder + "/out.txt"
         with open(table, "w") as f:

@@ -13,6 +13,7 @@ import gcode_programs
 import pytest
 from conftest import ROOT
 from gcode_moves import TOOLS, compare, ours, rs274
+from programs import need
 
 EXAMPLES = sorted(glob.glob("/usr/share/doc/linuxcnc/examples/nc_files/**/*.ngc", recursive=True))
 REAL = sorted(str(p) for p in (ROOT.parent / "shared" / "data" / "gcode").iterdir()
@@ -72,6 +73,7 @@ def test_examples_of_linuxcnc(tools, tmp_path):
         except AssertionError as error:
             raise AssertionError(f"{path}: {error}") from error
 
+    need("rs274")  # its package has the examples
     assert len(EXAMPLES) > 150
     with ThreadPoolExecutor() as pool:
         results = list(pool.map(one, [p for p in EXAMPLES if os.path.basename(p) not in (*LATHE_CYCLES, *ROUNDED)]))
@@ -80,6 +82,7 @@ def test_examples_of_linuxcnc(tools, tmp_path):
 
 @pytest.mark.parametrize("name", LATHE_CYCLES)
 def test_what_is_not_read_is_refused(name):
+    need("rs274")
     path = next(p for p in EXAMPLES if p.endswith(name))
     _, error, _ = ours(path, MANY_TOOLS)
     assert re.search(r"ngc:\d+: G7[012](\.[12])? is not known here", error)

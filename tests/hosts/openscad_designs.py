@@ -16,6 +16,7 @@ import tempfile
 import time
 
 import numpy as np
+from programs import need
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("FIELDFAB_BUILD", ROOT / "build" / "release"))
@@ -58,6 +59,8 @@ def places_on(points, triangles, count, seed):
 def theirs(design, output):
     """Returns OpenSCAD's mesh and its seconds; a flat design is extruded by THICKNESS. The mesh is None for an empty
     design."""
+
+    need("openscad")
 
     def run(path):
         started = time.monotonic()

@@ -10,6 +10,7 @@ import numpy as np
 import openscad_designs
 import pytest
 from conftest import COMMAND, DATA
+from programs import need
 
 import fieldfab as ff
 
@@ -91,6 +92,7 @@ def test_contours_of_random_trees_are_the_same_solids(seed, tmp_path):
 
 
 def test_what_is_wrong_is_said_in_one_line(tmp_path):
+    need("openscad")
     for text, said in {
         "cube(1": "OpenSCAD says: ERROR: Parser error",
         "teapot();": "the design is empty",
@@ -117,6 +119,7 @@ def test_without_openscad(tmp_path):
 
 
 def test_designs_become_formulas(tmp_path):
+    need("openscad")
     (tmp_path / "a.scad").write_text(
         "difference() { cube(10, center = true); cylinder(h = 20, r = 3, center = true, $fn = 12); }")
     assert run("convert", tmp_path / "a.scad", "-o", tmp_path / "a.frep").returncode == 0
@@ -141,6 +144,7 @@ difference() {
 
 
 def test_fieldfab_within_openscad(tmp_path):
+    need("openscad")
     design = tmp_path / "it's a \"part\".scad"
     design.write_text(DESIGN)
     done = run("openscad", design, "-o", tmp_path / "part.stl")
@@ -160,6 +164,7 @@ def test_fieldfab_within_openscad(tmp_path):
 
 
 def test_watching(tmp_path):
+    need("openscad")
     design = tmp_path / "part.scad"
     design.write_text(DESIGN)
     watching = subprocess.Popen([str(COMMAND), "openscad", "--watch", "part.scad"], cwd=tmp_path,

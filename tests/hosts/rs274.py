@@ -2,17 +2,17 @@
 
 import os
 import re
-import shutil
 import subprocess
 import tempfile
 
 import numpy as np
+from programs import need
 
 
 def canonical(program, tools=((1, 0.0, 0.1),), above=0.0):
     """Returns rs274's canonical calls (name, [numbers]) for a G-code file. The machine's zero is `above` mm over the
     program's. Raises AssertionError with its message if it refuses the file."""
-    assert shutil.which("rs274"), "rs274 is missing: ./dev setup installs linuxcnc-uspace"
+    need("rs274")
     with tempfile.TemporaryDirectory() as folder:
         table, variables, out = folder + "/tool.tbl", folder + "/v.var", folder + "/out.txt"
         with open(table, "w") as f:

@@ -7,9 +7,9 @@ import re
 import subprocess
 
 import fieldfab as ff
-import pyopenvdb
 import pytest
 from conftest import COMMAND
+from openvdb_module import openvdb
 
 LENGTH = b"\xf0\xff\xff\xff"  # nearly 4 GiB
 HEADER = 350  # bytes that are damaged in turn
@@ -26,32 +26,32 @@ def forget_peak():
 
 
 def ball(name):
-    grid = pyopenvdb.createLevelSetSphere(radius=4.0, center=(1.0, 2.0, 3.0), voxelSize=0.5)
+    grid = openvdb.createLevelSetSphere(radius=4.0, center=(1.0, 2.0, 3.0), voxelSize=0.5)
     grid.name = name
     grid["note"] = "text"
     return grid
 
 
 def several():
-    flags = pyopenvdb.BoolGrid()
+    flags = openvdb.BoolGrid()
     flags.fill((0, 0, 0), (3, 3, 3), True)
     flags.name = "flags"
     return [flags, ball("ball")]
 
 
 def test_the_first_grid_of_floats_is_read(tmp_path):
-    pyopenvdb.write(str(tmp_path / "a.vdb"), grids=several(), metadata={"by": "us"})
-    pyopenvdb.write(str(tmp_path / "b.vdb"), grids=[ball("ball")])
+    openvdb.write(str(tmp_path / "a.vdb"), grids=several(), metadata={"by": "us"})
+    openvdb.write(str(tmp_path / "b.vdb"), grids=[ball("ball")])
     a, b = ff.Volume.open(tmp_path / "a.vdb"), ff.Volume.open(tmp_path / "b.vdb")
     assert a.size == b.size and (a.densities() == b.densities()).all()
-    pyopenvdb.write(str(tmp_path / "c.vdb"), grids=several()[:1])
+    openvdb.write(str(tmp_path / "c.vdb"), grids=several()[:1])
     with pytest.raises(ff.Error, match="holds no grid of 32-bit real numbers"):
         ff.Volume.open(tmp_path / "c.vdb")
 
 
 def test_a_header_gets_no_more_memory_than_its_file_has(tmp_path):
     path = tmp_path / "a.vdb"
-    pyopenvdb.write(str(path), grids=several(), metadata={"by": "us"})
+    openvdb.write(str(path), grids=several(), metadata={"by": "us"})
     whole = path.read_bytes()
     start = whole.index(b"Tree_float") - 24  # of the second grid
     places = {*range(0, HEADER), *range(start, start + HEADER)}
@@ -70,10 +70,10 @@ def test_a_header_gets_no_more_memory_than_its_file_has(tmp_path):
 
 
 def test_a_small_file_spans_no_large_lattice(tmp_path):
-    grid = pyopenvdb.FloatGrid()
+    grid = openvdb.FloatGrid()
     for place in (0, 700):
         grid.fill((place,) * 3, (place + 2,) * 3, 1.0)
-    pyopenvdb.write(str(tmp_path / "far.vdb"), grids=[grid])
+    openvdb.write(str(tmp_path / "far.vdb"), grids=[grid])
     done = subprocess.run([COMMAND, "info", tmp_path / "far.vdb"], capture_output=True, text=True, timeout=60)
     assert done.returncode == 2
     told = "its samples span 705 x 705 x 705, too many for a file of its size"
@@ -82,7 +82,7 @@ def test_a_small_file_spans_no_large_lattice(tmp_path):
 
 def test_a_later_version_is_refused(tmp_path):
     path = tmp_path / "a.vdb"
-    pyopenvdb.write(str(path), grids=[ball("ball")])
+    openvdb.write(str(path), grids=[ball("ball")])
     damaged = bytearray(path.read_bytes())
     damaged[8:12] = (1000).to_bytes(4, "little")
     path.write_bytes(damaged)
@@ -94,7 +94,7 @@ def test_a_later_version_is_refused(tmp_path):
 def test_blocks_of_values_that_are_larger_than_their_memory(tmp_path):
     """A negative size marks a block as uncompressed. OpenVDB would read it into a buffer that is too small."""
     path = tmp_path / "a.vdb"
-    pyopenvdb.write(str(path), grids=[ball("ball")])
+    openvdb.write(str(path), grids=[ball("ball")])
     whole = path.read_bytes()
     number = lambda at: int.from_bytes(whole[at:at + 8], "little", signed=True)  # noqa: E731
     sizes = [at for at in range(len(whole) - 8) if 16 < number(at) < 20000 and at + 8 + number(at) <= len(whole)]

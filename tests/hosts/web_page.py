@@ -61,6 +61,10 @@ class Page:
         raise AssertionError(f"{what}: not within {seconds} s ({shot}); "
                              f"{self.text('#message')} {self.text('#sheet-message')} {self.text('#away')}")
 
+    def click(self, selector):
+        """Clicks on an element that may not be there yet, or be replaced meanwhile, as the gallery's cards are."""
+        self.until(lambda: self.find(selector).click() or True, selector)
+
     def text(self, selector):
         return self.script("return document.querySelector(arguments[0])?.textContent ?? ''", selector)
 

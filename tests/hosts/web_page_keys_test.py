@@ -182,8 +182,7 @@ def test_a_section_has_a_side_and_a_number(page, folder):
     (folder / "whole.frep").write_text("box(10, 10, 10)\n")
     page.find("#mode option[value=normals]").click()
     page.find("#open").click()
-    page.until(lambda: page.find(".card[data-name='whole.frep']").is_displayed(), "the gallery")
-    page.find(".card[data-name='whole.frep']").click()
+    page.click(".card[data-name='whole.frep']")
     page.until(lambda: page.text("#name") == "whole.frep", "another document")
     page.settled()
     assert page.find("#mode").get_attribute("value") == "shaded" and page.find("#section").get_attribute("value") == ""
