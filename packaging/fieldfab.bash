@@ -9,9 +9,9 @@ _fieldfab() {
     esac
   done
   if [[ $word == -* ]]; then
-    COMPREPLY=($(compgen -W "$("$1" ${verb:+"$verb"} --help 2>/dev/null | sed -nE 's/^  (-[^ ]*).*/\1/p' | tr ',' '\n')" -- "$word"))
+    COMPREPLY=($(compgen -W "$("$1" ${verb:+"$verb"} --help 2>/dev/null | sed -nE 's/^  (-[^ ]*)? {0,8}(--[^ ]+)?.*/\1 \2/p' | tr ', ' '\n')" -- "$word"))
   elif [[ -z $verb ]]; then
-    COMPREPLY=($(compgen -W "$("$1" --help 2>/dev/null | sed -n '/^Subcommands:/,$ s/^  \([a-z]\+\) .*/\1/p')" -- "$word"))
+    COMPREPLY=($(compgen -W "$("$1" --help 2>/dev/null | sed -n '/^Subcommands:/I,$ s/^  \([a-z]\+\) .*/\1/p')" -- "$word"))
   fi
 }
 complete -o default -F _fieldfab fieldfab

@@ -21,13 +21,13 @@ def verbatim(text):
 def page(command):
     version = subprocess.run([command, "--version"], capture_output=True, text=True, check=True).stdout.strip()
     text = help_of(command)
-    summary, rest = text.split("\nUsage:", 1)
-    options, verbs = rest.split("\nSubcommands:\n")
-    options = options.split("Options:\n", 1)[1].rstrip()
+    # CLI11's newer versions write the headings in capitals, and no "Usage:".
+    summary, options, verbs = re.fullmatch(r"(.*?)\n\s*(?:Usage: )?fieldfab \[OPTIONS\] SUBCOMMAND\s*"
+                                           r"Options:\n(.*)\nSubcommands:\n(.*)", text, re.S | re.I).groups()
     out = [f'.TH FIELDFAB 1 "" "fieldfab {version}" "User Commands"\n',
            ".SH NAME\nfieldfab \\- solids from formulas, CT scans and meshes, and machine programs of them\n",
            ".SH SYNOPSIS\n.B fieldfab\n[\\fIOPTIONS\\fR] \\fIVERB\\fR ...\n",
-           f".SH DESCRIPTION\n{escaped(summary)}\n.SH OPTIONS\n{verbatim(options)}.SH VERBS\n"]
+           f".SH DESCRIPTION\n{escaped(summary)}\n.SH OPTIONS\n{verbatim(options.rstrip())}.SH VERBS\n"]
     for verb in re.findall(r"^  ([a-z]+) ", verbs, re.M):
         out.append(f".SS {verb}\n{verbatim(help_of(command, verb))}")
     out.append(".SH EXIT STATUS\n0: done. 1: a check or comparison failed. 2: bad usage or bad input. "

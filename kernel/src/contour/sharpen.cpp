@@ -95,53 +95,106 @@ class Sharpener {
   /// Returns the vertices, edges and triangles of the open triangles that are off by more than the
   /// tolerance: vertices first, then edges, then triangles; the largest error first.
   std::vector<Flaw> find_flaws() {
-    std::vector<Flaw> places;
-    std::sort(open_.begin(), open_.end());
-    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
-    for (const std::uint32_t t : open_) {
-      examined_[t] = 1;
-      const Triangle& v = draft_.mesh.triangles[t];
-      add(places, v, 3);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t a = v[i], b = v[(i + 1) % 3];
-        add(places, {a, 0, 0}, 1);
-        add(places, {std::min(a, b), std::max(a, b), 0}, 2);
-      }
-    }
-    const auto key = [](const Flaw& flaw) { return std::tie(flaw.cell, flaw.count, flaw.vertices); };
-    std::sort(places.begin(), places.end(), [&](const Flaw& one, const Flaw& other) { return key(one) < key(other); });
-    places.erase(std::unique(places.begin(), places.end(),
-                             [&](const Flaw& one, const Flaw& other) { return key(one) == key(other); }),
-                 places.end());
+    std::vector<Flaw> places = open_places();
     std::erase_if(places, [&](const Flaw& flaw) { return tried_.contains(key_of(flaw)); });
-
-    constexpr std::size_t chunk = 256;  // close to each other, since they are sorted by cells
-    parallel_for((places.size() + chunk - 1) / chunk, [&](std::size_t part) {
-      progress_.check();
-      Samples samples;
-      const std::size_t first = part * chunk, last = std::min(places.size(), first + chunk);
-      Box box{draft_.middle(places[first]).cast<double>(), draft_.middle(places[first]).cast<double>()};
-      for (std::size_t i = first; i < last; ++i) {
-        const Eigen::Vector3f middle = draft_.middle(places[i]);
-        samples.add(middle);
-        box = {box.lower.cwiseMin(middle.cast<double>()), box.upper.cwiseMax(middle.cast<double>())};
-      }
-      samples.ask(*draft_.solid.restricted(box).field);
-      for (std::size_t i = first; i < last; ++i) places[i].error = std::abs(samples.distance(i - first));
-    });
+    measure(places);
     std::erase_if(places, [&](const Flaw& flaw) { return flaw.error <= draft_.tolerance; });
-    std::stable_sort(places.begin(), places.end(), [](const Flaw& one, const Flaw& other) {
-      return one.count != other.count ? one.count < other.count : one.error > other.error;
+    std::sort(places.begin(), places.end(), [](const Flaw& one, const Flaw& other) {
+      if (one.count != other.count) return one.count < other.count;
+      if (one.error != other.error) return one.error > other.error;
+      return std::tie(one.cell, one.vertices) < std::tie(other.cell, other.vertices);
     });
     draft_.moved.assign(draft_.mesh.vertices.size(), 0);
     return places;
   }
 
-  void add(std::vector<Flaw>& places, const Triangle& vertices, int count) const {
-    Flaw place{vertices, count, 0, {}};
-    const Eigen::Vector3f middle = draft_.middle(place);
-    place.cell = editor_.cell_of({middle.x(), middle.y(), middle.z()});
-    places.push_back(place);
+  /// The vertices, edges and triangles of the open triangles, each once, and close to each other in space.
+  std::vector<Flaw> open_places() {
+    sort_and_unite(open_);
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint64_t> edges;
+    vertices.reserve(3 * open_.size()), edges.reserve(3 * open_.size());
+    for (const std::uint32_t t : open_) {
+      examined_[t] = 1;
+      const Triangle& v = draft_.mesh.triangles[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint64_t a = v[i], b = v[(i + 1) % 3];
+        vertices.push_back(v[i]);
+        edges.push_back(std::min(a, b) << 32 | std::max(a, b));
+      }
+    }
+    sort_and_unite(vertices), sort_and_unite(edges);
+    std::vector<Flaw> places;
+    places.reserve(vertices.size() + edges.size() + open_.size());
+    const auto add = [&](const Triangle& corners, int count) {
+      Flaw place{corners, count, 0, {}};
+      const Eigen::Vector3f middle = draft_.middle(place);
+      place.cell = editor_.cell_of({middle.x(), middle.y(), middle.z()});
+      places.push_back(place);
+    };
+    for (const std::uint32_t vertex : vertices) add({vertex, 0, 0}, 1);
+    for (const std::uint64_t edge : edges)
+      add({static_cast<std::uint32_t>(edge >> 32), static_cast<std::uint32_t>(edge), 0}, 2);
+    for (const std::uint32_t t : open_) add(draft_.mesh.triangles[t], 3);
+
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order(places.size());
+    for (std::uint32_t i = 0; i < places.size(); ++i) order[i] = {near_key(places[i].cell), i};
+    std::sort(order.begin(), order.end());
+    std::vector<Flaw> ordered;
+    ordered.reserve(places.size());
+    for (const auto& [key, i] : order) ordered.push_back(places[i]);
+    return ordered;
+  }
+
+  template <class T>
+  static void sort_and_unite(std::vector<T>& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  }
+
+  /// Cells with keys close to each other are close to each other, in cubes of `smallest_area`. The key's last bits are
+  /// those of the cell in its cube. Only few cells far from each other have the same key.
+  static constexpr int bits_in_cube = 2;
+  static std::uint64_t near_key(const Cell& cell) {
+    std::uint64_t key = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = static_cast<std::uint64_t>(cell[i]);
+      key |= (at >> bits_in_cube & 0xffff) << (16 * i + 3 * bits_in_cube) | (at & 3) << (bits_in_cube * i);
+    }
+    return key;
+  }
+
+  /// Measures how far places are off the surface; first the solid is restricted to a cube, then to neighbours in it.
+  void measure(std::vector<Flaw>& places) const {
+    const auto cube_of = [&](std::size_t i) { return near_key(places[i].cell) >> (3 * bits_in_cube); };
+    std::vector<std::size_t> cubes;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (i == 0 || cube_of(i) != cube_of(i - 1)) cubes.push_back(i);
+    cubes.push_back(places.size());
+    parallel_for(cubes.size() - 1, [&](std::size_t cube) {
+      progress_.check();
+      const std::span<Flaw> inside{places.data() + cubes[cube], places.data() + cubes[cube + 1]};
+      const FieldPtr solid = draft_.solid.restricted(box_of(inside)).field;
+      constexpr std::size_t neighbours = 64;
+      Samples samples;
+      for (std::size_t first = 0; first < inside.size(); first += neighbours) {
+        const std::span<Flaw> some = inside.subspan(first, std::min(neighbours, inside.size() - first));
+        samples.clear();
+        for (const Flaw& place : some) samples.add(draft_.middle(place));
+        samples.ask(*solid->restricted(box_of(some)).field);
+        for (std::size_t i = 0; i < some.size(); ++i) some[i].error = std::abs(samples.distance(i));
+      }
+    });
+  }
+
+  [[nodiscard]] Box box_of(std::span<const Flaw> places) const {
+    const Vec3 first = draft_.middle(places.front()).cast<double>();
+    Box box{first, first};
+    for (const Flaw& place : places) {
+      const Vec3 middle = draft_.middle(place).cast<double>();
+      box = {box.lower.cwiseMin(middle), box.upper.cwiseMax(middle)};
+    }
+    return box;
   }
 
   static std::uint64_t key_of(const Flaw& flaw) {

@@ -88,38 +88,62 @@ struct Cone {
   float cosine = 1;
 };
 
-const Eigen::Vector3f& farthest_from(const Eigen::Vector3f& axis, const std::vector<Eigen::Vector3f>& directions) {
-  const Eigen::Vector3f* farthest = &directions.front();
-  for (const Eigen::Vector3f& direction : directions)
-    if (direction.dot(axis) < farthest->dot(axis)) farthest = &direction;
-  return *farthest;
-}
+/// Directions, one coordinate after another: they are compared to axes in lanes.
+class Directions {
+ public:
+  explicit Directions(const std::vector<Eigen::Vector3f>& directions) : count_(directions.size()) {
+    static thread_local std::vector<float> kept;
+    kept.resize(4 * count_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      at_[axis] = kept.data() + axis * count_;
+      for (std::size_t i = 0; i < count_; ++i) at_[axis][i] = directions[i][static_cast<Eigen::Index>(axis)];
+    }
+    cosines_ = kept.data() + 3 * count_;
+  }
+
+  [[nodiscard]] Eigen::Vector3f operator[](std::size_t i) const { return {at_[0][i], at_[1][i], at_[2][i]}; }
+
+  /// The first of those farthest from an axis.
+  [[nodiscard]] Eigen::Vector3f farthest_from(const Eigen::Vector3f& axis) const {
+    const auto lane = [&](float* first) { return Lanes(first, static_cast<Eigen::Index>(count_)); };
+    Lanes cosines = lane(cosines_);
+    cosines = axis.x() * lane(at_[0]) + (axis.y() * lane(at_[1]) + axis.z() * lane(at_[2]));
+    const float* const farthest = std::find(cosines_, cosines_ + count_, cosines.minCoeff());
+    return (*this)[static_cast<std::size_t>(farthest - cosines_)];
+  }
+
+ private:
+  using Lanes = Eigen::Map<Eigen::ArrayXf>;
+  std::size_t count_;
+  std::array<float*, 3> at_;
+  float* cosines_;
+};
 
 /// A narrow cone: the narrowest about the two or three directions that differ most, which then is turned towards what
 /// it leaves out (Badoiu and Clarkson 2003, for balls). Not looked for where two directions differ so much that none
 /// has a cosine of `least`.
-Cone cone_about(const std::vector<Eigen::Vector3f>& directions, float least) {
+Cone cone_about(const std::vector<Eigen::Vector3f>& seen, float least) {
   Cone cone;
-  if (directions.empty()) return cone;
-  const Eigen::Vector3f& one = farthest_from(directions.front(), directions);
-  const Eigen::Vector3f& other = farthest_from(one, directions);
-  if (one.dot(other) < 2 * least * least - 1) return {directions.front(), -1};
+  if (seen.empty()) return cone;
+  const Directions directions(seen);
+  const Eigen::Vector3f one = directions.farthest_from(directions[0]), other = directions.farthest_from(one);
+  if (one.dot(other) < 2 * least * least - 1) return {directions[0], -1};
   const auto try_axis = [&](Eigen::Vector3f axis) {
     const float length = axis.norm();
     if (!(length > 1e-4F)) return;
     axis *= (axis.dot(one) < 0 ? -1 : 1) / length;
-    if (const float cosine = farthest_from(axis, directions).dot(axis); cosine > cone.cosine) cone = {axis, cosine};
+    if (const float cosine = directions.farthest_from(axis).dot(axis); cosine > cone.cosine) cone = {axis, cosine};
   };
   cone = {one, other.dot(one)};
   try_axis(one + other);
   constexpr float wide = 0.9F;
   if (cone.cosine > wide) return cone;
-  const Eigen::Vector3f third = farthest_from(cone.axis, directions);
+  const Eigen::Vector3f third = directions.farthest_from(cone.axis);
   try_axis((other - one).cross(third - one));
   constexpr int turns = 12;
   Eigen::Vector3f axis = cone.axis;
   for (int turn = 4; turn < 4 + turns && cone.cosine < wide; ++turn) {
-    axis = (axis + (farthest_from(axis, directions) - axis) / static_cast<float>(turn)).normalized().eval();
+    axis = (axis + (directions.farthest_from(axis) - axis) / static_cast<float>(turn)).normalized().eval();
     try_axis(axis);
   }
   return cone;
@@ -244,8 +268,9 @@ SurfaceProof prove_by_facing(const Field& field, const Box& box, int halvings) {
   constexpr float rounding = 1e-5F, opposite = -0.866F;
   proof.one_sheet = field.facing(box, directions) && cone_about(directions, least).cosine >= least + rounding;
   if (proof.one_sheet || directions.empty()) return proof;
-  const Eigen::Vector3f& one = farthest_from(directions.front(), directions);
-  proof.folded = one.dot(farthest_from(one, directions)) < opposite;
+  const Directions facing(directions);
+  const Eigen::Vector3f one = facing.farthest_from(facing[0]);
+  proof.folded = one.dot(facing.farthest_from(one)) < opposite;
   return proof;
 }
 

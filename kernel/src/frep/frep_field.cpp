@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <mutex>
 
 #include "compiled_tape.h"
 #include "fieldfab/core/error.h"
@@ -139,8 +140,11 @@ class FrepField final : public Field {
   }
 
   [[nodiscard]] FieldPtr without_seams() const override {
-    Tape merged;
-    return merge_seams(tape_, merged) ? std::make_shared<FrepField>(std::move(merged), engine_) : nullptr;
+    std::call_once(merged_once_, [this] {
+      Tape merged;
+      if (merge_seams(tape_, merged)) merged_ = std::make_shared<FrepField>(std::move(merged), engine_);
+    });
+    return merged_;
   }
 
   [[nodiscard]] bool affine() const noexcept override { return is_affine(tape_); }
@@ -275,6 +279,8 @@ class FrepField final : public Field {
   Engine engine_;
   std::optional<Expression> expression_;  ///< source of the tape; restrictions have none
   bool has_jumps_;
+  mutable std::once_flag merged_once_;
+  mutable FieldPtr merged_;  ///< without seams
   LazyCode values_code_, gradients_code_, intervals_code_, sign_intervals_code_;
 };
 

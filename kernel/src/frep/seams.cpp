@@ -54,7 +54,7 @@ struct Part {
 class SeamMerger {
  public:
   explicit SeamMerger(const Tape& tape)
-      : tape_(tape), affine_(first_value + tape.code.size()), copies_(affine_.size()), constants_(*tape.constants) {
+      : tape_(tape), affine_(first_value + tape.code.size()), copies_(affine_.size()) {
     for (Operand axis = 0; axis < first_value; ++axis) affine_[axis] = Affine{Vec3::Unit(axis)};
     for (std::size_t i = 0; i < tape.code.size(); ++i) affine_[first_value + i] = affine(tape.code[i]);
   }
@@ -64,7 +64,7 @@ class SeamMerger {
     if (!simpler_ || visits_ > most_visits) return false;
     merged.code.clear();
     merged.root = whole.settled() ? constant(whole.kind == Part::Kind::nothing ? 1 : -1) : emitted(whole, merged.code);
-    merged.constants = std::make_shared<std::vector<float>>(std::move(constants_));
+    merged.constants = all_constants();
     choose_slots(merged);
     return true;
   }
@@ -82,7 +82,7 @@ class SeamMerger {
   static Affine constant_affine(double value) { return {Vec3::Zero(), value, std::abs(value)}; }
 
   [[nodiscard]] std::optional<Affine> affine(Operand operand) const {
-    return is_constant(operand) ? constant_affine(constants_[operand & ~constant_bit]) : affine_[operand];
+    return is_constant(operand) ? constant_affine((*tape_.constants)[operand & ~constant_bit]) : affine_[operand];
   }
 
   [[nodiscard]] std::optional<Affine> affine(const Clause& clause) const {
@@ -285,8 +285,16 @@ class SeamMerger {
   }
 
   Operand constant(double value) {
-    constants_.push_back(static_cast<float>(value));
-    return static_cast<Operand>(constants_.size() - 1) | constant_bit;
+    more_constants_.push_back(static_cast<float>(value));
+    return static_cast<Operand>(tape_.constants->size() + more_constants_.size() - 1) | constant_bit;
+  }
+
+  /// The tape's own constants, mostly: those of a large formula are many, and its restrictions share them.
+  [[nodiscard]] std::shared_ptr<const std::vector<float>> all_constants() const {
+    if (more_constants_.empty()) return tape_.constants;
+    auto all = std::make_shared<std::vector<float>>(*tape_.constants);
+    all->insert(all->end(), more_constants_.begin(), more_constants_.end());
+    return all;
   }
 
   Operand emitted(const Part& part, std::vector<Clause>& code) {
@@ -320,7 +328,7 @@ class SeamMerger {
   const Tape& tape_;
   std::vector<std::optional<Affine>> affine_;   // by operand of the tape
   std::vector<std::optional<Operand>> copies_;  // by operand of the tape
-  std::vector<float> constants_;                // those of the tape, and more
+  std::vector<float> more_constants_;           // than the tape has
   std::vector<Known> known_;
   std::vector<Part> parts_;
   bool simpler_ = false;
