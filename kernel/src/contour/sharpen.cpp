@@ -155,11 +155,13 @@ class Sharpener {
   /// Cells with keys close to each other are close to each other, in cubes of `smallest_area`. The key's last bits are
   /// those of the cell in its cube. Only few cells far from each other have the same key.
   static constexpr int bits_in_cube = 2;
+  static_assert(smallest_area == 1 << bits_in_cube);
   static std::uint64_t near_key(const Cell& cell) {
     std::uint64_t key = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto at = static_cast<std::uint64_t>(cell[i]);
-      key |= (at >> bits_in_cube & 0xffff) << (16 * i + 3 * bits_in_cube) | (at & 3) << (bits_in_cube * i);
+      key |= (at >> bits_in_cube & 0xffff) << (16 * i + 3 * bits_in_cube) | (at & (smallest_area - 1))
+                                                                                << (bits_in_cube * i);
     }
     return key;
   }
