@@ -156,6 +156,16 @@ std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurf
   };
 }
 
+/// Leaves out passes through the air, if requested: over flats that are finished already, and beyond the stock. (On
+/// slopes the planned stock is known to a lattice cell only, and passes stay.)
+void skip_air(PlannedCuts& cuts, const Values& values, const Surface& surface, const Context& context) {
+  // A height map that is higher than its picture's stock says nothing of what is left.
+  if (!values.flag("skip_air") || surface.top() > context.stock.upper.z() + values.number("tolerance")) return;
+  const std::size_t before = cuts.paths.size();
+  cuts.paths = without_air(cuts.paths, context.material, context.tool.profile(), values.number("tolerance"));
+  cuts.ordered = cuts.ordered && cuts.paths.size() == before;
+}
+
 /// Removes what earlier operations have finished: on other planes, and for rest machining also on
 /// this one.
 void leave_out_reached(PlannedCuts& cuts, const Values& values, const std::shared_ptr<const TipSurface>& tips,
@@ -203,6 +213,7 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
     }
   }
   leave_out_reached(cuts, values, tips, context);
+  skip_air(cuts, values, *surface, context);
   cuts.may_reverse = settings.both_ways;
   cuts.width = settings.stepover;
   cuts.may_stay_down = over(tips, 1.5 * settings.stepover, settings.tolerance);
@@ -266,7 +277,7 @@ std::vector<Stage> surface_stages() {
            only_with("pattern", number("angle", "degrees", 0, "angle of the passes against x"), {"raster", "cross"}),
            stepover(0.1), scallop, flag("both_ways", true, "zigzag: every other pass runs back"),
            number("bottom", "mm", unset, "lowest z of the tool; the default is the floor of the surface"), allowance,
-           tolerance} +
+           tolerance, flag("skip_air", true, "leaves out passes where earlier operations left no stock")} +
            rest_settings() + lean_settings(),
        finish_stage},
       {"waterline", "level contours of the part's surface", Kind::surface, Kind::paths, true,

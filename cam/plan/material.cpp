@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+
+#include "fieldfab/core/parallel.h"
 
 namespace fieldfab::cam {
 
@@ -36,7 +39,8 @@ void raise(HeightMap& map, const Vec3& at, double reach) {
 }  // namespace
 
 Material::Material(const Stock& stock, const Plane& plane, const std::function<double(std::uint32_t)>& slack,
-                   Progress& progress) {
+                   bool whole, Progress& progress)
+    : whole_(whole) {
   const Box box = plane.into(stock.lattice().box());
   const Vec3& spacing = stock.lattice().spacing();
   const Vec3 view = plane.axes.col(2);
@@ -63,6 +67,24 @@ Material::Material(const Stock& stock, const Plane& plane, const std::function<d
       raise(certain_, at - less, 0);
     }
   }
+}
+
+bool Material::may_meet(const Vec3& tip, const Profile& cutter, double least) const {
+  const double half = 0.7072 * heights_.cell, reach = cutter.radius() + half;
+  const Vec2 p = (tip.head<2>() - heights_.origin) / heights_.cell;
+  const double r = reach / heights_.cell;
+  const int left = std::max(0, static_cast<int>(std::ceil(p.x() - r))),
+            right = std::min(heights_.width - 1, static_cast<int>(std::floor(p.x() + r)));
+  const int bottom = std::max(0, static_cast<int>(std::ceil(p.y() - r))),
+            top = std::min(heights_.height - 1, static_cast<int>(std::floor(p.y() + r)));
+  for (int row = bottom; row <= top; ++row)
+    for (int column = left; column <= right; ++column) {
+      const double above = heights_.at(column, row) - tip.z() - least;
+      if (above <= 0) continue;
+      const double away = (heights_.place(column, row) - tip.head<2>()).norm() - half;
+      if (away < cutter.radius() && above > cutter.height(std::max(0.0, away))) return true;
+    }
+  return false;
 }
 
 double Material::greatest(const HeightMap& map, const Vec2& p, double reach) {
@@ -101,21 +123,60 @@ void keep_along_material(std::vector<bool>& meets, const Near& near, std::size_t
   }
 }
 
+/// Points of a path at most `step` mm apart.
+std::vector<PathPoint> close_points(const Path& path, double step) {
+  std::vector<PathPoint> points;
+  for (const PathPoint& p : points_along(path, step)) {
+    if (!points.empty()) {
+      const Vec3 from = points.back().at, way = p.at - from;
+      const int steps = static_cast<int>(std::ceil(way.norm() / step));
+      for (int s = 1; s < steps; ++s) points.push_back({from + way * s / steps});
+    }
+    points.push_back(p);
+  }
+  return points;
+}
+
+/// Adds the runs of a path's points that meet material, extended by one point at both ends, to `out`. A path that meets
+/// material everywhere stays as it is; a closed path starts in the air.
+void add_runs(const Path& path, const std::vector<PathPoint>& points, const std::vector<bool>& meets,
+              std::vector<Path>& out) {
+  if (std::none_of(meets.begin(), meets.end(), [](bool b) { return b; })) return;
+  if (std::all_of(meets.begin(), meets.end(), [](bool b) { return b; })) return out.push_back(path);
+  const std::size_t n = points.size() - (path.closed ? 1 : 0);
+  std::size_t first = 0;
+  if (path.closed) first = static_cast<std::size_t>(std::find(meets.begin(), meets.end(), false) - meets.begin());
+  Path run;
+  run.level = path.level;
+  const auto finish = [&] {
+    if (run.points.size() > 1) {
+      std::vector<Vec3> line;
+      for (const PathPoint& p : run.points) line.push_back(p.at);
+      run.points.clear();
+      for (const Vec3& p : simplified(line, 1e-3)) run.points.push_back({p});
+      out.push_back(run);
+    }
+    run.points.clear();
+  };
+  for (std::size_t k = 0; k < n + (path.closed ? 1 : 0); ++k) {
+    const std::size_t i = (first + k) % n, before = (i + n - 1) % n, after = (i + 1) % n;
+    const bool wanted =
+        meets[i] || ((path.closed || i > 0) && meets[before]) || ((path.closed || i + 1 < n) && meets[after]);
+    if (wanted)
+      run.points.push_back(points[i]);
+    else
+      finish();
+  }
+  finish();
+}
+
 }  // namespace
 
 std::vector<Path> where_material(const std::vector<Path>& paths, const Material& material, double radius) {
   std::vector<Path> out;
   const double step = std::max(material.cell(), radius / 3), least = 1e-3;
   for (const Path& path : paths) {
-    std::vector<PathPoint> points;
-    for (const PathPoint& p : points_along(path, step)) {
-      if (!points.empty()) {
-        const Vec3 from = points.back().at, way = p.at - from;
-        const int steps = static_cast<int>(std::ceil(way.norm() / step));
-        for (int s = 1; s < steps; ++s) points.push_back({from + way * s / steps});
-      }
-      points.push_back(p);
-    }
+    const std::vector<PathPoint> points = close_points(path, step);
     const auto meets_within = [&](const PathPoint& p, double reach) {
       return material.certain(p.at.head<2>(), reach) > p.at.z() + least;
     };
@@ -124,38 +185,28 @@ std::vector<Path> where_material(const std::vector<Path>& paths, const Material&
     keep_along_material(
         meets, [&](std::size_t i) { return meets_within(points[i], wider * radius); },
         static_cast<std::size_t>(longest_gap * radius / step));
-    if (std::none_of(meets.begin(), meets.end(), [](bool b) { return b; })) continue;
-    if (std::all_of(meets.begin(), meets.end(), [](bool b) { return b; })) {
-      out.push_back(path);
-      continue;
-    }
-    // Runs that meet material, extended by one step at both ends. A closed path starts in the air.
-    const std::size_t n = points.size() - (path.closed ? 1 : 0);
-    std::size_t first = 0;
-    if (path.closed) first = static_cast<std::size_t>(std::find(meets.begin(), meets.end(), false) - meets.begin());
-    Path run;
-    run.level = path.level;
-    const auto finish = [&] {
-      if (run.points.size() > 1) {
-        std::vector<Vec3> line;
-        for (const PathPoint& p : run.points) line.push_back(p.at);
-        run.points.clear();
-        for (const Vec3& p : simplified(line, 1e-3)) run.points.push_back({p});
-        out.push_back(run);
-      }
-      run.points.clear();
-    };
-    for (std::size_t k = 0; k < n + (path.closed ? 1 : 0); ++k) {
-      const std::size_t i = (first + k) % n, before = (i + n - 1) % n, after = (i + 1) % n;
-      const bool wanted =
-          meets[i] || ((path.closed || i > 0) && meets[before]) || ((path.closed || i + 1 < n) && meets[after]);
-      if (wanted)
-        run.points.push_back(points[i]);
-      else
-        finish();
-    }
-    finish();
+    add_runs(path, points, meets, out);
   }
+  return out;
+}
+
+std::vector<Path> without_air(const std::vector<Path>& paths, const Material& material, const Profile& cutter,
+                              double tolerance) {
+  if (!material.whole()) return paths;
+  // Between points the cutter is nowhere deeper than at them by more than the tolerance.
+  const double radius = cutter.radius(), step = std::min(radius / 6, std::sqrt(8 * radius * tolerance));
+  std::vector<std::vector<Path>> kept(paths.size());
+  parallel_for(paths.size(), [&](std::size_t k) {
+    const std::vector<PathPoint> points = close_points(paths[k], step);
+    std::vector<bool> meets(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) meets[i] = material.may_meet(points[i].at, cutter, tolerance);
+    // A short way through the air takes less time than rising over it.
+    keep_along_material(
+        meets, [](std::size_t) { return true; }, static_cast<std::size_t>(longest_gap * radius / step));
+    add_runs(paths[k], points, meets, kept[k]);
+  });
+  std::vector<Path> out;
+  for (std::vector<Path>& runs : kept) std::move(runs.begin(), runs.end(), std::back_inserter(out));
   return out;
 }
 

@@ -68,11 +68,13 @@ Material PlannedStock::seen_from(const Plane& plane, Progress& progress) const {
   }
   const Vec3 view = plane.axes.col(2);
   std::vector<double> slack{0};  // the first surface is exact
+  bool whole = true;             // between cuts along the view nothing is missed
   for (const Vec3& axis : axes_) {
     const double across = axis.isZero() ? 1 : axis.cross(view).norm();
+    whole = whole && across <= 1e-9;
     slack.push_back(across > 1e-9 ? across * half_diagonal(stock_.lattice(), axis) : 0);
   }
-  return {stock_, plane, [&](std::uint32_t cut) { return slack[cut]; }, progress};
+  return {stock_, plane, [&](std::uint32_t cut) { return slack[cut]; }, whole, progress};
 }
 
 }  // namespace fieldfab::cam

@@ -121,6 +121,70 @@ TEST(PlannedStock, HeightsAreWhatTheToolLeaves) {
   EXPECT_NEAR(from_front.highest(closed.head<2>(), 0.1), front.into(block).upper.z(), 1e-5);
 }
 
+/// Distance of a point from the nearest of some paths of straight lines, mm.
+double distance_from(const std::vector<Path>& paths, const Vec3& p) {
+  double nearest = 1e9;
+  for (const Path& path : paths)
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+      const Vec3 a = path.points[i].at, way = path.points[i + 1].at - a;
+      const double t = way.norm() > 0 ? std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
+      nearest = std::min(nearest, (a + t * way - p).norm());
+    }
+  return nearest;
+}
+
+// The slow twin: where a path is left out, each point above the cutter is one that an earlier tool cut, or is outside
+// the block.
+TEST(PlannedStock, OnlyAirIsLeftOutOfFinishing) {
+  std::mt19937 random(11);
+  const double tolerance = 0.02;
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const char* shape : {"flat", "ball", "v"}) {
+    SCOPED_TRACE(shape);
+    const Plane top = plane_named("top");
+    const Tool cutter = tool(shape, 3, 0, 1.2), wide = tool("flat", 6);
+    const Profile profile = cutter.profile();
+    const std::vector<Move> moves = random_moves(block, random, 25);
+    PlannedStock stock(block, 0.25);
+    stock.cut(moves, wide, top);
+    Path path;
+    for (int i = 0; i < 30; ++i)
+      path.points.push_back({{24 * share(random) - 2, 20 * share(random) - 2, 6 + 7 * share(random)}});
+    const std::vector<Path> kept = without_air({path}, stock.seen_from(top), profile, tolerance);
+    int left_out = 0, poses = 0;
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+      for (double t = 0; t < 1; t += 0.03) {
+        const Vec3 tip = path.points[i].at + t * (path.points[i + 1].at - path.points[i].at);
+        ++poses;
+        if (distance_from(kept, tip) < 0.01) continue;
+        ++left_out;
+        for (int trial = 0; trial < 30; ++trial) {
+          const double turn = 6.3 * share(random), away = profile.radius() * std::sqrt(share(random));
+          const double low = tip.z() + profile.height(away) + 1.1 * tolerance;
+          const Vec3 p(tip.x() + away * std::cos(turn), tip.y() + away * std::sin(turn),
+                       low + std::abs(block.upper.z() - low) * share(random));
+          if (block.contains(p)) EXPECT_TRUE(cuts(moves, wide, p)) << p.transpose() << " under " << tip.transpose();
+        }
+      }
+    EXPECT_GT(left_out, poses / 20);
+    EXPECT_LT(left_out, poses);
+  }
+}
+
+// Between cuts from different directions a thin part may be missed: then all passes stay.
+TEST(PlannedStock, FinishingStaysWholeAfterCutsFromOtherDirections) {
+  std::mt19937 random(12);
+  const Plane top = plane_named("top"), front = plane_named("front");
+  PlannedStock stock(block, 0.4);
+  Path high;
+  high.points = {{{2, 2, 13}}, {{18, 14, 13}}};
+  const Profile ball = tool("ball", 3).profile();
+  EXPECT_TRUE(without_air({high}, stock.seen_from(top), ball, 0.01).empty());
+  stock.cut(random_moves(front.into(block), random, 5), tool("flat", 4), front);
+  EXPECT_EQ(without_air({high}, stock.seen_from(top), ball, 0.01).size(), 1U);
+  EXPECT_FALSE(stock.seen_from(front).whole() && stock.seen_from(top).whole());
+}
+
 // All crossings are edges from a solid point to air, and none is missing.
 TEST(Stock, CrossingsAreThoseOfItsPoints) {
   std::mt19937 random(9);
@@ -207,6 +271,18 @@ TEST_F(StockJobs, LeaveOutWhatAnEarlierJobDid) {
     if (!moves[k].rapid()) highest = std::max(highest, moves[k - 1].to.z());
   EXPECT_LT(highest, 4.9);
   proved("deeper");
+}
+
+// Finishing goes only where stock is left: the same solid in a fraction of the way.
+TEST_F(StockJobs, FinishingLeavesOutAir) {
+  const std::string clear = "[[operation]]\ntype = \"rough\"\nstepdown = 3\nallowance = 0\nbottom = -6\n" + surface;
+  const std::string finish = "[[operation]]\ntype = \"finish\"\n" + surface;
+  const Job all = plan("all", "margin = 0", clear + finish + "skip_air = false\n");
+  const Job needed = plan("needed", "margin = 0", clear + finish);
+  const double longer = all.reports().at(1).length.cut;
+  EXPECT_GT(longer, 1500);
+  EXPECT_LT(needed.reports().size() > 1 ? needed.reports()[1].length.cut : 0, 0.3 * longer);
+  EXPECT_NEAR(proved("needed").stock().volume(), proved("all").stock().volume(), 0.5);
 }
 
 // What was cut from above is air for the front.

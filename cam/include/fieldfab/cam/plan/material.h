@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "fieldfab/cam/base/tool.h"
 #include "fieldfab/cam/plan/path.h"
 #include "fieldfab/cam/plan/planes.h"
 #include "fieldfab/cam/stock/stock.h"
@@ -17,8 +18,8 @@ class Material {
   Material(const Rectangle& block, double top, double cell);
   /// A stock. `slack(cut)` is the distance, mm, by which a cut's surface may lie too high, seen from the plane.
   /// Material between cuts that is thinner than a lattice cell is seen if cuts leave their uncertainty as slack
-  /// (PlannedStock).
-  Material(const Stock& stock, const Plane& plane, const std::function<double(std::uint32_t cut)>& slack,
+  /// (PlannedStock); `whole` says that there is none.
+  Material(const Stock& stock, const Plane& plane, const std::function<double(std::uint32_t cut)>& slack, bool whole,
            Progress& progress = Progress::none());
 
   /// Returns a height that no material within `radius` of a point exceeds, mm; minus infinity where there is none.
@@ -30,16 +31,26 @@ class Material {
   [[nodiscard]] double certain(const Vec2& p, double radius) const {
     return greatest(certain_, p, radius + 0.5 * certain_.cell);
   }
+  /// Whether a vertical cutter may meet material that is higher than its surface by more than `least` mm. Never false
+  /// where it does, if whole().
+  [[nodiscard]] bool may_meet(const Vec3& tip, const Profile& cutter, double least) const;
+  /// Whether the heights miss no material at all.
+  [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] double cell() const { return heights_.cell; }
 
  private:
   static double greatest(const HeightMap& map, const Vec2& p, double reach);
 
   HeightMap heights_, certain_;  ///< never too low; without slack
+  bool whole_ = true;
 };
 
 /// Returns the parts of paths on which a tool of that radius meets material, slightly extended at both ends. A closed
 /// path that meets material everywhere stays closed.
 std::vector<Path> where_material(const std::vector<Path>& paths, const Material& material, double radius);
+/// Returns paths along a surface without the parts on which the cutter is surely in the air: no material stands more
+/// than `tolerance` mm above the cutter's surface. They are extended at both ends. Unchanged if material may be missed.
+std::vector<Path> without_air(const std::vector<Path>& paths, const Material& material, const Profile& cutter,
+                              double tolerance);
 
 }  // namespace fieldfab::cam
