@@ -6,13 +6,14 @@ import re
 
 import FreeCAD
 
-from .words import tr
+from .words import marked, tr
 
 INCH = 25.4  # mm
 SCHEMES_IN_INCHES = (2, 3, 5, 7)  # FreeCAD's: US customary, its decimal form, building and civil engineering
 IN_INCHES = {"mm": ("in", INCH), "mm/min": ("in/min", INCH), "mm²": ("in²", INCH**2), "mm³": ("in³", INCH**3),
              "m": ("in", INCH / 1000)}
 QUANTITIES = {"mm": "mm", "mm/min": "mm/min", "mm²": "mm^2", "mm³": "mm^3", "degrees": "deg"}  # FreeCAD's spelling
+WORDS = marked(("degrees", "diameters", "rpm", "inches/s", "units/s"))  # units that are words of a language
 KERNELS = {"mm2": "mm²", "mm3": "mm³"}  # {the kernel's spelling: ours}
 # In the kernel's texts: numbers with a unit after the last one, and points without a unit.
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -27,6 +28,8 @@ def in_inches():
 def shown_unit(unit):
     """Returns the displayed unit for an internal unit."""
     unit = KERNELS.get(unit, unit)
+    if unit in WORDS:
+        return tr(unit)
     return IN_INCHES[unit][0] if unit in IN_INCHES and in_inches() else unit
 
 

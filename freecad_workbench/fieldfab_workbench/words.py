@@ -5,6 +5,8 @@ never translated."""
 import FreeCAD
 
 CONTEXT = "Fieldfab"
+KERNEL = "Kernel"  # context of what the kernel says of its operations, settings and machines
+CHOICE = "Kernel: choice"  # context of the values that the kernel's settings can have
 PROPERTY = "App::Property"  # context in which FreeCAD's property editor translates names and descriptions of properties
 
 
@@ -23,6 +25,18 @@ def marked(texts):
 def described(name, words, *more):
     """Returns the name and the description of a property unchanged. update.py collects them, too."""
     return (name, words, *more)
+
+
+def kernel_name(name):
+    """Returns the name of one of the kernel's operations or settings as users read it: rest_least is "Rest least"."""
+    translated = tr(name, KERNEL)
+    return translated if translated != name else name[:1].upper() + name[1:].replace("_", " ")
+
+
+def kernel_text(text):
+    """Returns the kernel's description of an operation, a setting or a machine as users read it."""
+    translated = tr(text, KERNEL)
+    return translated[:1].upper() + translated[1:]
 
 
 def property_label(name):

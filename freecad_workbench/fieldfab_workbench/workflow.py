@@ -6,7 +6,7 @@ import math
 import re
 
 from . import kernel, units
-from .words import marked, tr
+from .words import CHOICE, kernel_name, kernel_text, marked, tr
 
 FOLLOWS = marked("automatic")  # shown for a default that depends on other values
 
@@ -21,6 +21,14 @@ class Setting:
         self.unit = {"1/min": "rpm"}.get(self.unit, self.unit)  # displayed unit, with the same numbers
         # The property's documentation.
         self.words = f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")
+
+    @property
+    def label(self):
+        return kernel_name(self.name)
+
+    @property
+    def tip(self):
+        return units.in_words(kernel_text(self.help))
 
     @property
     def property_type(self):
@@ -68,7 +76,7 @@ class Setting:
             if self.upper is not None and value > self.upper:
                 return tr("must be at most {limit}").format(limit=units.told(self.upper, unit, 6))
         elif self.choices and value not in self.choices:
-            return tr("must be one of {choices}").format(choices=", ".join(self.choices))
+            return tr("must be one of {choices}").format(choices=", ".join(map(self.shown, self.choices)))
         return ""
 
     def matters(self, values):
@@ -84,7 +92,7 @@ class Setting:
             return tr(FOLLOWS)
         if self.kind == "flag":
             return tr("yes") if value else tr("no")
-        return units.told(value, self.unit, 6) if self.kind == "number" else value
+        return units.told(value, self.unit, 6) if self.kind == "number" else tr(value, CHOICE) if self.choices else value
 
 
 class Stage:
@@ -92,7 +100,15 @@ class Stage:
 
     def __init__(self, name, words, settings):
         self.name, self.help, self.settings = name, words, [Setting(s) for s in settings]
-        self.title = name[:1].upper() + name[1:].replace("_", " ")
+        self.title = name[:1].upper() + name[1:].replace("_", " ")  # stored with properties
+
+    @property
+    def label(self):
+        return kernel_name(self.name)
+
+    @property
+    def tip(self):
+        return kernel_text(self.help)
 
 
 JOINING = "moves"  # the stage that joins the paths of an operation

@@ -5,7 +5,7 @@ from .. import kernel, units, work, workflow
 from ..objects import cam_job, cam_operation, cam_setup, machine_program
 from ..shim import QtCore, QtWidgets
 from ..views.part_view import PartView
-from ..words import PROPERTY, property_label, tr
+from ..words import PROPERTY, kernel_text, property_label, tr
 from .collapsible import Box
 from .edit_panel import EditPanel
 from .job_handles import handles_of
@@ -159,8 +159,8 @@ class SetupPanel(EditPanel):
         menu = QtWidgets.QMenu(self.add_button)
         for kind in workflow.operation_names():
             stage = workflow.stages_of(kind)[-2]
-            action = menu.addAction(stage.title)
-            action.setToolTip(stage.help)
+            action = menu.addAction(stage.label)
+            action.setToolTip(stage.tip)
             action.triggered.connect(lambda checked=False, kind=kind: self.add_operation(kind))
         menu.setToolTipsVisible(True)
         self.add_button.setMenu(menu)
@@ -186,7 +186,7 @@ class SetupPanel(EditPanel):
         form = QtWidgets.QFormLayout()
         self.machine = QtWidgets.QComboBox()
         for identifier, name in workflow.machines().items():
-            self.machine.addItem(name, identifier)
+            self.machine.addItem(kernel_text(name), identifier)
         self.machine.setCurrentIndex(self.machine.findData(self.obj.Machine))
         self.machine.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.machine.activated.connect(lambda index: self.choose_machine(self.machine.itemData(index)))
@@ -215,10 +215,10 @@ class SetupPanel(EditPanel):
         self.material.setEnabled(self.material.count() > 1)
         known = ([tr("travel {travel}").format(travel=units.told_all(told["travel"], digits=6))]
                  if any(told["travel"]) else [])
-        known += [tr("up to {limit}").format(limit=units.told(told[name], tr(unit), 6))
+        known += [tr("up to {limit}").format(limit=units.told(told[name], unit, 6))
                   for name, unit in (("max_feed", "mm/min"), ("max_spindle", "rpm")) if told[name]]
         known += [tr("turns about {axes}").format(axes=f" {tr('and')} ".join(told["axes"]))] if told["axes"] else []
-        self.limits.setText("; ".join([told["description"], *known]))
+        self.limits.setText("; ".join([kernel_text(told["description"]), *known]))
 
     def _plan_row(self):
         row = QtWidgets.QHBoxLayout()

@@ -3,7 +3,7 @@
 from .. import workflow
 from ..objects import cam_setup
 from ..shim import QtWidgets
-from ..words import PROPERTY, tr
+from ..words import PROPERTY, kernel_name, tr
 from .collapsible import Box
 from .setting_rows import SettingRows
 
@@ -24,7 +24,7 @@ class OperationForm(QtWidgets.QWidget):
         self.name.editingFinished.connect(self._rename)
         self.type = QtWidgets.QComboBox()
         for kind in obj.getEnumerationsOfProperty("Type"):
-            self.type.addItem(kind.replace("_", " "), kind)
+            self.type.addItem(kernel_name(kind), kind)
         self.type.setCurrentIndex(self.type.findData(obj.Type))
         self.type.activated.connect(lambda index: self._choose(self.type.itemData(index)))
         self.tool = QtWidgets.QComboBox()
@@ -46,7 +46,7 @@ class OperationForm(QtWidgets.QWidget):
             box.deleteLater()
         self.boxes, self.rows = {}, {}
         for stage in workflow.stages_of(self.obj.Type):
-            box = Box(stage.title, tip=stage.help, opened=stage.name in (self.obj.Type, *OPENED))
+            box = Box(stage.label, tip=stage.tip, opened=stage.name in (self.obj.Type, *OPENED))
             rows = SettingRows(self.obj, stage, self._changed)
             box.body.addWidget(rows)
             self.column.addWidget(box)

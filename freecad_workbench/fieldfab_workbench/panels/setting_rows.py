@@ -13,16 +13,15 @@ class Row:
 
     def __init__(self, obj, setting, changed):
         self.obj, self.setting, self.changed = obj, setting, changed
-        self.label = QtWidgets.QLabel(setting.name[:1].upper() + setting.name[1:].replace("_", " "))
+        self.label = QtWidgets.QLabel(setting.label)
         self.problem = QtWidgets.QLabel()
         self.problem.setStyleSheet(RED)
         self.problem.setWordWrap(True)
         self.problem.hide()
         make = self._choice if setting.choices else self._flag if setting.kind == "flag" else self._line
         self.editor = make()
-        tip = units.in_words(f"{setting.help[:1].upper()}{setting.help[1:]}")
         for widget in (self.label, self.editor):
-            widget.setToolTip(tip)
+            widget.setToolTip(setting.tip)
         self.field = QtWidgets.QWidget()
         column = QtWidgets.QVBoxLayout(self.field)
         column.setContentsMargins(0, 2, 0, 2)
@@ -103,7 +102,7 @@ class Row:
 
     def _choice(self):
         box = QtWidgets.QComboBox()
-        box.addItems(["", *self.setting.choices])
+        box.addItems(["", *map(self.setting.shown, self.setting.choices)])
         box.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
         box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         box.activated.connect(lambda index: self._give(None if index == 0 else self.setting.choices[index - 1]))

@@ -3223,6 +3223,18 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{path} ist von einer anderen Version</translation>
     </message>
     <message>
+        <source>diameters</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>inches/s</source>
+        <translation>Zoll/s</translation>
+    </message>
+    <message>
+        <source>units/s</source>
+        <translation>Einheiten/s</translation>
+    </message>
+    <message>
         <source>must be a number</source>
         <translation>muss eine Zahl sein</translation>
     </message>
@@ -3912,6 +3924,1084 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Shows the planned program of the selected job in the machine's format, such as G-code, with line numbers. Save asks for the file name; the default is the part's name.</source>
         <translation>Zeigt das geplante Programm des ausgewählten Jobs im Format der Maschine, etwa als G-Code, mit Zeilennummern. Beim Speichern wird nach dem Namen der Datei gefragt; vorgeschlagen ist der des Werkstücks.</translation>
+    </message>
+</context>
+<context>
+    <name>Kernel</name>
+    <message>
+        <source>outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>the part's outline: a slice, or its shadow from above</source>
+        <translation>Umriss des Teils: ein Schnitt oder sein Schatten von oben</translation>
+    </message>
+    <message>
+        <source>height map</source>
+        <translation>Höhenkarte</translation>
+    </message>
+    <message>
+        <source>the part's upper surface</source>
+        <translation>Oberseite des Teils</translation>
+    </message>
+    <message>
+        <source>threshold</source>
+        <translation>Schwellwert</translation>
+    </message>
+    <message>
+        <source>black and white</source>
+        <translation>Schwarz und Weiß</translation>
+    </message>
+    <message>
+        <source>distance transform</source>
+        <translation>Abstandskarte</translation>
+    </message>
+    <message>
+        <source>exact distances to the bitmap's edge</source>
+        <translation>genaue Abstände vom Rand der Bitmap</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>a height map as drawn</source>
+        <translation>Höhenkarte, wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>Konturfräsen</translation>
+    </message>
+    <message>
+        <source>contour cut along the part's outline</source>
+        <translation>Schnitt entlang dem Umriss des Teils</translation>
+    </message>
+    <message>
+        <source>isolate</source>
+        <translation>Isolationsfräsen</translation>
+    </message>
+    <message>
+        <source>offsets outward from the part, as for the traces of a circuit board</source>
+        <translation>Bahnen außen um das Teil, wie um die Leiterbahnen einer Platine</translation>
+    </message>
+    <message>
+        <source>pocket</source>
+        <translation>Tasche</translation>
+    </message>
+    <message>
+        <source>clears the inside of the part's outline, or the stock around it</source>
+        <translation>räumt das Innere des Umrisses oder das Rohteil ringsum</translation>
+    </message>
+    <message>
+        <source>slot</source>
+        <translation>Nut</translation>
+    </message>
+    <message>
+        <source>runs along the middle of slots as wide as the tool</source>
+        <translation>fährt in der Mitte von Nuten, die so breit wie das Werkzeug sind</translation>
+    </message>
+    <message>
+        <source>drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>the part's round holes</source>
+        <translation>die runden Bohrungen des Teils</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>Gewindefräsen</translation>
+    </message>
+    <message>
+        <source>mills threads into the part's round holes</source>
+        <translation>fräst Gewinde in die runden Bohrungen des Teils</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Planfräsen</translation>
+    </message>
+    <message>
+        <source>clears the top of the stock, down to the part</source>
+        <translation>trägt die Oberseite des Rohteils bis auf das Teil ab</translation>
+    </message>
+    <message>
+        <source>chamfer</source>
+        <translation>Anfasen</translation>
+    </message>
+    <message>
+        <source>breaks the edges of the part's outline with a V</source>
+        <translation>bricht die Kanten des Umrisses mit einem V-Fräser</translation>
+    </message>
+    <message>
+        <source>engrave</source>
+        <translation>Gravieren</translation>
+    </message>
+    <message>
+        <source>follows the part's outline with the tip, as for lettering</source>
+        <translation>folgt dem Umriss mit der Spitze, etwa für Schrift</translation>
+    </message>
+    <message>
+        <source>v_carve</source>
+        <translation>V-Gravur</translation>
+    </message>
+    <message>
+        <source>carves the inside of the outline with a V</source>
+        <translation>graviert das Innere des Umrisses mit einem V-Fräser</translation>
+    </message>
+    <message>
+        <source>rough</source>
+        <translation>Schruppen</translation>
+    </message>
+    <message>
+        <source>clears the material above the part level by level</source>
+        <translation>räumt das Material über dem Teil Ebene für Ebene</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>Schlichten</translation>
+    </message>
+    <message>
+        <source>parallel passes over the part's surface</source>
+        <translation>parallele Bahnen über die Oberfläche des Teils</translation>
+    </message>
+    <message>
+        <source>waterline</source>
+        <translation>Höhenlinien</translation>
+    </message>
+    <message>
+        <source>level contours of the part's surface</source>
+        <translation>waagerechte Bahnen um die Oberfläche des Teils</translation>
+    </message>
+    <message>
+        <source>pencil</source>
+        <translation>Kehlen</translation>
+    </message>
+    <message>
+        <source>along the valleys of the part's surface, where a round tool touches both sides</source>
+        <translation>entlang den Kehlen der Oberfläche, wo ein rundes Werkzeug beide Seiten berührt</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>Bewegungen</translation>
+    </message>
+    <message>
+        <source>how the paths are joined to moves</source>
+        <translation>wie die Bahnen zu Bewegungen verbunden werden</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>sample spacing; the default follows from the part's size and the tool</source>
+        <translation>Abstand der Abtastpunkte; die Vorgabe folgt aus der Größe des Teils und dem Werkzeug</translation>
+    </message>
+    <message>
+        <source>slice</source>
+        <translation>Schnitthöhe</translation>
+    </message>
+    <message>
+        <source>height of the section through the part; the default is the projection from above, or the drawing itself</source>
+        <translation>Höhe des Schnitts durch das Teil; Vorgabe ist die Projektion von oben oder die Zeichnung selbst</translation>
+    </message>
+    <message>
+        <source>surface_tolerance</source>
+        <translation>Toleranz der Höhenkarte</translation>
+    </message>
+    <message>
+        <source>greatest distance of the height map from the part's surface</source>
+        <translation>größter Abstand der Höhenkarte von der Oberfläche des Teils</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>size of a pixel; the default is that of the image file</source>
+        <translation>Größe eines Pixels; Vorgabe ist die der Bilddatei</translation>
+    </message>
+    <message>
+        <source>brighter pixels are solid</source>
+        <translation>hellere Pixel sind Material</translation>
+    </message>
+    <message>
+        <source>invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>invert: darker pixels are solid</source>
+        <translation>umkehren: dunklere Pixel sind Material</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>height of black; the default is that of the image file</source>
+        <translation>Höhe von Schwarz; Vorgabe ist die der Bilddatei</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>height of white; the default is that of the image file</source>
+        <translation>Höhe von Weiß; Vorgabe ist die der Bilddatei</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>side of the outline on which the tool runs</source>
+        <translation>Seite des Umrisses, auf der das Werkzeug fährt</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>Haltestege</translation>
+    </message>
+    <message>
+        <source>number of tabs on each outline, which hold the part</source>
+        <translation>Anzahl der Haltestege je Umriss, die das Teil halten</translation>
+    </message>
+    <message>
+        <source>tab_width</source>
+        <translation>Breite der Stege</translation>
+    </message>
+    <message>
+        <source>width of a tab</source>
+        <translation>Breite eines Haltestegs</translation>
+    </message>
+    <message>
+        <source>tab_height</source>
+        <translation>Höhe der Stege</translation>
+    </message>
+    <message>
+        <source>height of a tab</source>
+        <translation>Höhe eines Haltestegs</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>Oberkante</translation>
+    </message>
+    <message>
+        <source>z of the top of the material; the default is the top of the stock</source>
+        <translation>z der Oberkante des Materials; Vorgabe ist die des Rohteils</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>depth below the top; the default is through the stock</source>
+        <translation>Tiefe unter der Oberkante; Vorgabe ist durch das Rohteil</translation>
+    </message>
+    <message>
+        <source>stepdown</source>
+        <translation>Zustellung</translation>
+    </message>
+    <message>
+        <source>depth of each pass; the default is one pass</source>
+        <translation>Tiefe jedes Durchgangs; Vorgabe ist ein Durchgang</translation>
+    </message>
+    <message>
+        <source>allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>stock allowance left on the part</source>
+        <translation>Aufmaß, das am Teil bleibt</translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation>Gleichlauf</translation>
+    </message>
+    <message>
+        <source>climb milling; false: conventional milling</source>
+        <translation>Gleichlauffräsen; nein: Gegenlauffräsen</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>tolerance of fitting lines and arcs</source>
+        <translation>Toleranz beim Einpassen von Strecken und Bögen</translation>
+    </message>
+    <message>
+        <source>offsets</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>number of offsets; -1 clears everything</source>
+        <translation>Anzahl der Bahnen; -1 räumt alles</translation>
+    </message>
+    <message>
+        <source>stepover</source>
+        <translation>Bahnabstand</translation>
+    </message>
+    <message>
+        <source>distance from one offset to the next</source>
+        <translation>Abstand von einer Bahn zur nächsten</translation>
+    </message>
+    <message>
+        <source>side of the outline that is cleared</source>
+        <translation>Seite des Umrisses, die geräumt wird</translation>
+    </message>
+    <message>
+        <source>distance of the rings</source>
+        <translation>Abstand der Ringe</translation>
+    </message>
+    <message>
+        <source>pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>rings along the walls, or constant engagement: never more than a straight pass has</source>
+        <translation>Ringe entlang den Wänden oder gleichbleibender Eingriff: nie größer als auf einer geraden Bahn</translation>
+    </message>
+    <message>
+        <source>slots in the part, or the inside of a drawing of slots</source>
+        <translation>Nuten im Teil oder das Innere einer Zeichnung von Nuten</translation>
+    </message>
+    <message>
+        <source>widest</source>
+        <translation>Größte Breite</translation>
+    </message>
+    <message>
+        <source>greatest width of a slot; the default is 1.05 diameters</source>
+        <translation>größte Breite einer Nut; Vorgabe sind 1.05 Durchmesser</translation>
+    </message>
+    <message>
+        <source>peck</source>
+        <translation>Spantiefe</translation>
+    </message>
+    <message>
+        <source>depth of each peck; the default is no pecking</source>
+        <translation>Tiefe jedes Bohrhubs; Vorgabe ist Bohren in einem Hub</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>Größter Durchmesser</translation>
+    </message>
+    <message>
+        <source>largest diameter of the holes; the default is that of the tool</source>
+        <translation>größter Durchmesser der Bohrungen; Vorgabe ist der des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>rise of the thread in a turn</source>
+        <translation>Steigung des Gewindes je Umdrehung</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>largest diameter of the thread, as 6 of M6; the default is that of an ISO thread in each hole</source>
+        <translation>Außendurchmesser des Gewindes, etwa 6 bei M6; Vorgabe ist der des ISO-Gewindes in jeder Bohrung</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Gangrichtung</translation>
+    </message>
+    <message>
+        <source>a right-hand or a left-hand thread</source>
+        <translation>Rechts- oder Linksgewinde</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>number of passes to the thread's full depth</source>
+        <translation>Anzahl der Durchgänge bis zur vollen Gewindetiefe</translation>
+    </message>
+    <message>
+        <source>greatest width of a pass</source>
+        <translation>größte Breite eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>angle of the passes to x</source>
+        <translation>Winkel der Bahnen zu x</translation>
+    </message>
+    <message>
+        <source>both_ways</source>
+        <translation>Hin und zurück</translation>
+    </message>
+    <message>
+        <source>alternate passes run backwards</source>
+        <translation>jede zweite Bahn läuft zurück</translation>
+    </message>
+    <message>
+        <source>depth below the top; the default is down to the part</source>
+        <translation>Tiefe unter der Oberkante; Vorgabe ist bis auf das Teil</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>width of the chamfer, seen from above</source>
+        <translation>Breite der Fase, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>beyond</source>
+        <translation>Überstand</translation>
+    </message>
+    <message>
+        <source>distance of the tool's axis from the edge</source>
+        <translation>Abstand der Werkzeugachse von der Kante</translation>
+    </message>
+    <message>
+        <source>z of the edge; the default is the top of the part</source>
+        <translation>z der Kante; Vorgabe ist die Oberkante des Teils</translation>
+    </message>
+    <message>
+        <source>distance of passes on a flat floor</source>
+        <translation>Abstand der Bahnen auf ebenem Boden</translation>
+    </message>
+    <message>
+        <source>distance of the passes</source>
+        <translation>Abstand der Bahnen</translation>
+    </message>
+    <message>
+        <source>tolerance of the path against the surface</source>
+        <translation>Toleranz der Bahn gegen die Oberfläche</translation>
+    </message>
+    <message>
+        <source>z where the cut begins; the default is the stock's top</source>
+        <translation>z, bei dem der Schnitt beginnt; Vorgabe ist die Oberkante des Rohteils</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>Unterkante</translation>
+    </message>
+    <message>
+        <source>z where the cut ends; the default is the floor of the surface</source>
+        <translation>z, bei dem der Schnitt endet; Vorgabe ist der Boden der Oberfläche</translation>
+    </message>
+    <message>
+        <source>depth of each level; the default is half the tool's diameter</source>
+        <translation>Tiefe jeder Ebene; Vorgabe ist der halbe Durchmesser des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>pattern of the passes</source>
+        <translation>Muster der Bahnen</translation>
+    </message>
+    <message>
+        <source>angle of the passes against x</source>
+        <translation>Winkel der Bahnen gegen x</translation>
+    </message>
+    <message>
+        <source>scallop</source>
+        <translation>Rillenhöhe</translation>
+    </message>
+    <message>
+        <source>height of the cusps between passes, instead of a stepover</source>
+        <translation>Höhe der Rillen zwischen den Bahnen, statt eines Bahnabstands</translation>
+    </message>
+    <message>
+        <source>zigzag: every other pass runs back</source>
+        <translation>Zickzack: jede zweite Bahn läuft zurück</translation>
+    </message>
+    <message>
+        <source>lowest z of the tool; the default is the floor of the surface</source>
+        <translation>kleinstes z des Werkzeugs; Vorgabe ist der Boden der Oberfläche</translation>
+    </message>
+    <message>
+        <source>skip_air</source>
+        <translation>Luftschnitte auslassen</translation>
+    </message>
+    <message>
+        <source>leaves out passes where earlier operations left no stock</source>
+        <translation>lässt Bahnen aus, wo frühere Operationen kein Material übrig ließen</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>Restmaterial</translation>
+    </message>
+    <message>
+        <source>rest machining: only where earlier operations left material</source>
+        <translation>Restmaterialbearbeitung: nur wo frühere Operationen Material übrig ließen</translation>
+    </message>
+    <message>
+        <source>rest_least</source>
+        <translation>Kleinste Resthöhe</translation>
+    </message>
+    <message>
+        <source>least height of that material</source>
+        <translation>kleinste Höhe dieses Materials</translation>
+    </message>
+    <message>
+        <source>lean</source>
+        <translation>Neigen</translation>
+    </message>
+    <message>
+        <source>five axes at once: the tool tilts with the surface</source>
+        <translation>fünf Achsen zugleich: das Werkzeug neigt sich mit der Oberfläche</translation>
+    </message>
+    <message>
+        <source>lead</source>
+        <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>lead angle: tilt ahead of the surface normal, in the direction of travel</source>
+        <translation>Voreilwinkel: Neigung vor die Flächennormale, in Fahrtrichtung</translation>
+    </message>
+    <message>
+        <source>most_lean</source>
+        <translation>Größte Neigung</translation>
+    </message>
+    <message>
+        <source>greatest tilt against the plane's z</source>
+        <translation>größte Neigung gegen die z-Achse der Ebene</translation>
+    </message>
+    <message>
+        <source>body_clearance</source>
+        <translation>Abstand des Schafts</translation>
+    </message>
+    <message>
+        <source>clearance of shank and holder from the part</source>
+        <translation>Abstand von Schaft und Halter zum Teil</translation>
+    </message>
+    <message>
+        <source>least_angle</source>
+        <translation>Kleinster Winkel</translation>
+    </message>
+    <message>
+        <source>least angle between the two sides</source>
+        <translation>kleinster Winkel zwischen den beiden Seiten</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>feed rate of cuts</source>
+        <translation>Vorschub beim Fräsen</translation>
+    </message>
+    <message>
+        <source>plunge</source>
+        <translation>Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>feed rate of plunges</source>
+        <translation>Vorschub beim Eintauchen</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>Spindel</translation>
+    </message>
+    <message>
+        <source>spindle speed</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>coolant while cutting</source>
+        <translation>Kühlmittel beim Fräsen</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>Sicherheitshöhe</translation>
+    </message>
+    <message>
+        <source>height of rapids above the stock</source>
+        <translation>Höhe der Eilgänge über dem Rohteil</translation>
+    </message>
+    <message>
+        <source>link_feed</source>
+        <translation>Vorschub im Freien</translation>
+    </message>
+    <message>
+        <source>feed rate where the material is cut already; the default is the feed</source>
+        <translation>Vorschub, wo das Material schon abgetragen ist; Vorgabe ist der Vorschub</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>Eintauchen</translation>
+    </message>
+    <message>
+        <source>how closed paths are entered</source>
+        <translation>wie in geschlossene Bahnen eingetaucht wird</translation>
+    </message>
+    <message>
+        <source>ramp_angle</source>
+        <translation>Rampenwinkel</translation>
+    </message>
+    <message>
+        <source>angle of ramps and helices</source>
+        <translation>Winkel von Rampen und Wendeln</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps; a machine that cannot tilt stops for turning the part by hand</source>
+        <translation>von wo gefräst wird: von einer Seite, von den fünf sichtbaren, wie gesehen (alpha, beta) oder in gleichen Schritten; eine Maschine ohne Schwenkachsen hält an, damit das Teil von Hand gedreht wird</translation>
+    </message>
+    <message>
+        <source>alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>rotation of a view about z</source>
+        <translation>Drehung einer Ansicht um z</translation>
+    </message>
+    <message>
+        <source>beta</source>
+        <translation>Beta</translation>
+    </message>
+    <message>
+        <source>rotation of a view about x, after that about z</source>
+        <translation>Drehung einer Ansicht um x, nach der um z</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>number of stepped planes per half turn</source>
+        <translation>Anzahl der Ebenen je halbe Umdrehung</translation>
+    </message>
+    <message>
+        <source>kerf</source>
+        <translation>Schnittbreite</translation>
+    </message>
+    <message>
+        <source>width of the cut</source>
+        <translation>Breite des Schnitts</translation>
+    </message>
+    <message>
+        <source>autofocus</source>
+        <translation>Autofokus</translation>
+    </message>
+    <message>
+        <source>focus before the job</source>
+        <translation>vor dem Job fokussieren</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>of the beam</source>
+        <translation>des Strahls</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>of pulses</source>
+        <translation>der Pulse</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>of cutting</source>
+        <translation>des Schnitts</translation>
+    </message>
+    <message>
+        <source>xmin</source>
+        <translation>X-Anfang</translation>
+    </message>
+    <message>
+        <source>where the program's zero lies</source>
+        <translation>wo der Nullpunkt des Programms liegt</translation>
+    </message>
+    <message>
+        <source>ymin</source>
+        <translation>Y-Anfang</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>of the blade</source>
+        <translation>des Messers</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>cycles</source>
+        <translation>Bohrzyklen</translation>
+    </message>
+    <message>
+        <source>drilling cycles of the control (G81, G83) instead of single moves</source>
+        <translation>Bohrzyklen der Steuerung (G81, G83) statt einzelner Bewegungen</translation>
+    </message>
+    <message>
+        <source>jog</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>speed between cuts</source>
+        <translation>Geschwindigkeit zwischen den Schnitten</translation>
+    </message>
+    <message>
+        <source>of the attenuator</source>
+        <translation>des Abschwächers</translation>
+    </message>
+    <message>
+        <source>speed of jogs</source>
+        <translation>Geschwindigkeit der Eilgänge</translation>
+    </message>
+    <message>
+        <source>voxel</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>edge of the smallest cell; 0: 1/200 of the longest side</source>
+        <translation>Kante der kleinsten Zelle; 0: 1/200 der längsten Seite</translation>
+    </message>
+    <message>
+        <source>DXF drawing</source>
+        <translation>DXF-Zeichnung</translation>
+    </message>
+    <message>
+        <source>paths as a drawing, in millimetres</source>
+        <translation>Bahnen als Zeichnung, in Millimetern</translation>
+    </message>
+    <message>
+        <source>Epilog laser cutter</source>
+        <translation>Epilog-Laserschneider</translation>
+    </message>
+    <message>
+        <source>PCL and HPGL for Epilog lasers: ticks of 1/600 inch</source>
+        <translation>PCL und HPGL für Epilog-Laser: Schritte von 1/600 Zoll</translation>
+    </message>
+    <message>
+        <source>Five axes, A and C in the table</source>
+        <translation>Fünf Achsen, A und C im Tisch</translation>
+    </message>
+    <message>
+        <source>LinuxCNC, trunnion table: A tilts about x and carries C, which turns the work; x, y and z follow the turned work</source>
+        <translation>LinuxCNC, Schwenktisch: A kippt um x und trägt C, die das Werkstück dreht; x, y und z folgen dem gedrehten Werkstück</translation>
+    </message>
+    <message>
+        <source>Five axes, B and C in the table</source>
+        <translation>Fünf Achsen, B und C im Tisch</translation>
+    </message>
+    <message>
+        <source>LinuxCNC, trunnion table: B tilts about y and carries C, which turns the work; x, y and z follow the turned work</source>
+        <translation>LinuxCNC, Schwenktisch: B kippt um y und trägt C, die das Werkstück dreht; x, y und z folgen dem gedrehten Werkstück</translation>
+    </message>
+    <message>
+        <source>Five axes in the head</source>
+        <translation>Fünf Achsen, zwei im Kopf</translation>
+    </message>
+    <message>
+        <source>G-code, head-head: C turns about z and carries B, which tilts about y; x, y and z move the pivot</source>
+        <translation>G-Code, zwei Achsen im Kopf: C dreht um z und trägt B, die um y kippt; x, y und z bewegen den Drehpunkt</translation>
+    </message>
+    <message>
+        <source>Five axes, B in the head, C in the table</source>
+        <translation>Fünf Achsen, B im Kopf, C im Tisch</translation>
+    </message>
+    <message>
+        <source>G-code, head-table: B tilts the head about y, C turns the work about z</source>
+        <translation>G-Code, Kopf und Tisch: B kippt den Kopf um y, C dreht das Werkstück um z</translation>
+    </message>
+    <message>
+        <source>Five axes, tool tip control</source>
+        <translation>Fünf Achsen, geführte Werkzeugspitze</translation>
+    </message>
+    <message>
+        <source>LinuxCNC with M428 (tool-centre-point mode), trunnion table A and C: x, y and z are the tip in the work</source>
+        <translation>LinuxCNC mit M428 (Werkzeugspitze geführt), Schwenktisch A und C: x, y und z sind die Spitze im Werkstück</translation>
+    </message>
+    <message>
+        <source>GCC laser cutter</source>
+        <translation>GCC-Laserschneider</translation>
+    </message>
+    <message>
+        <source>PCL and HPGL of GCC LaserPro Spirit lasers: ticks of 1/254 inch</source>
+        <translation>PCL und HPGL der Laser GCC LaserPro Spirit: Schritte von 1/254 Zoll</translation>
+    </message>
+    <message>
+        <source>GCC vinyl cutter</source>
+        <translation>GCC-Schneideplotter</translation>
+    </message>
+    <message>
+        <source>HPGL of GCC Puma and Expert cutters: ticks of 1/40 mm</source>
+        <translation>HPGL der Schneideplotter GCC Puma und Expert: Schritte von 1/40 mm</translation>
+    </message>
+    <message>
+        <source>Mill in inches</source>
+        <translation>Fräse in Zoll</translation>
+    </message>
+    <message>
+        <source>plain G-code in inches, as kokopelli wrote it: lines only</source>
+        <translation>einfacher G-Code in Zoll, wie ihn kokopelli schrieb: nur Strecken</translation>
+    </message>
+    <message>
+        <source>GRBL router</source>
+        <translation>GRBL-Fräse</translation>
+    </message>
+    <message>
+        <source>G-code for GRBL 1.1: three axes, arcs, one tool after another by hand</source>
+        <translation>G-Code für GRBL 1.1: drei Achsen, Bögen, Werkzeugwechsel von Hand</translation>
+    </message>
+    <message>
+        <source>HPGL plotter or fabric cutter</source>
+        <translation>HPGL-Plotter oder Stoffschneider</translation>
+    </message>
+    <message>
+        <source>HPGL for vinyl, fabric and drag-knife cutters: ticks of 1/40 mm</source>
+        <translation>HPGL für Folien-, Stoff- und Schleppmesser: Schritte von 1/40 mm</translation>
+    </message>
+    <message>
+        <source>Roland iModela</source>
+        <translation>Roland iModela</translation>
+    </message>
+    <message>
+        <source>RML for Roland iModela iM-01: ticks of 1/100 mm</source>
+        <translation>RML für Roland iModela iM-01: Schritte von 1/100 mm</translation>
+    </message>
+    <message>
+        <source>LinuxCNC mill</source>
+        <translation>LinuxCNC-Fräse</translation>
+    </message>
+    <message>
+        <source>G-code for LinuxCNC's interpreter: three axes, arcs, tool table lengths</source>
+        <translation>G-Code für LinuxCNC: drei Achsen, Bögen, Längen aus der Werkzeugtabelle</translation>
+    </message>
+    <message>
+        <source>Mach3 mill</source>
+        <translation>Mach3-Fräse</translation>
+    </message>
+    <message>
+        <source>G-code for Mach3 and Mach4: three axes, arcs</source>
+        <translation>G-Code für Mach3 und Mach4: drei Achsen, Bögen</translation>
+    </message>
+    <message>
+        <source>Marlin router</source>
+        <translation>Marlin-Fräse</translation>
+    </message>
+    <message>
+        <source>G-code for routers that run Marlin: lines only, every word in every line</source>
+        <translation>G-Code für Fräsen mit Marlin: nur Strecken, jedes Wort in jeder Zeile</translation>
+    </message>
+    <message>
+        <source>Roland MDX-40</source>
+        <translation>Roland MDX-40</translation>
+    </message>
+    <message>
+        <source>RML for Roland MDX-40: ticks of 1/100 mm</source>
+        <translation>RML für Roland MDX-40: Schritte von 1/100 mm</translation>
+    </message>
+    <message>
+        <source>Roland Modela MDX-15/20</source>
+        <translation>Roland Modela MDX-15/20</translation>
+    </message>
+    <message>
+        <source>RML for Roland Modela MDX-15 and MDX-20: ticks of 1/40 mm</source>
+        <translation>RML für Roland Modela MDX-15 und MDX-20: Schritte von 1/40 mm</translation>
+    </message>
+    <message>
+        <source>Othermill</source>
+        <translation>Othermill</translation>
+    </message>
+    <message>
+        <source>G-code for the Othermill (Bantam desktop mill): millimetres, lines only</source>
+        <translation>G-Code für die Othermill (Tischfräse von Bantam): Millimeter, nur Strecken</translation>
+    </message>
+    <message>
+        <source>Oxford laser micromachining</source>
+        <translation>Oxford-Lasermikrobearbeitung</translation>
+    </message>
+    <message>
+        <source>Aerotech G-code of Oxford lasers: millimetres and mm/s</source>
+        <translation>Aerotech-G-Code der Oxford-Laser: Millimeter und mm/s</translation>
+    </message>
+    <message>
+        <source>PNG height map</source>
+        <translation>PNG-Höhenkarte</translation>
+    </message>
+    <message>
+        <source>the part's heights as a 16-bit grey picture with its physical size, for other programs</source>
+        <translation>die Höhen des Teils als Graubild mit 16 Bit und seiner wirklichen Größe, für andere Programme</translation>
+    </message>
+    <message>
+        <source>Roland vinyl cutter</source>
+        <translation>Roland-Schneideplotter</translation>
+    </message>
+    <message>
+        <source>CAMM-GL of Roland GX-24 and its kin: ticks of 1/40 mm</source>
+        <translation>CAMM-GL von Roland GX-24 und ähnlichen: Schritte von 1/40 mm</translation>
+    </message>
+    <message>
+        <source>ShopBot (inches)</source>
+        <translation>ShopBot (Zoll)</translation>
+    </message>
+    <message>
+        <source>ShopBot 3-axis routers, part files in inches</source>
+        <translation>ShopBot-Fräsen mit drei Achsen, Programme in Zoll</translation>
+    </message>
+    <message>
+        <source>ShopBot 5-axis</source>
+        <translation>ShopBot mit fünf Achsen</translation>
+    </message>
+    <message>
+        <source>ShopBot with a head that turns about z (A) and tilts (B), part files in inches (Keeter 6.9); zero the bit pointing straight down</source>
+        <translation>ShopBot, deren Kopf um z dreht (A) und kippt (B), Programme in Zoll (Keeter 6.9); Nullpunkt mit dem Werkzeug senkrecht nach unten setzen</translation>
+    </message>
+    <message>
+        <source>ShopBot (mm)</source>
+        <translation>ShopBot (mm)</translation>
+    </message>
+    <message>
+        <source>ShopBot 3-axis routers set to millimetres</source>
+        <translation>ShopBot-Fräsen mit drei Achsen, auf Millimeter eingestellt</translation>
+    </message>
+    <message>
+        <source>Roland SRM-20</source>
+        <translation>Roland SRM-20</translation>
+    </message>
+    <message>
+        <source>RML for Roland monoFab SRM-20: ticks of 1/100 mm</source>
+        <translation>RML für Roland monoFab SRM-20: Schritte von 1/100 mm</translation>
+    </message>
+    <message>
+        <source>STL mesh</source>
+        <translation>STL-Netz</translation>
+    </message>
+    <message>
+        <source>the part as a watertight mesh</source>
+        <translation>das Teil als wasserdichtes Netz</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>Trotec laser cutter</source>
+        <translation>Trotec-Laserschneider</translation>
+    </message>
+    <message>
+        <source>serial commands of Trotec Speedy lasers: ticks of 5 micrometres</source>
+        <translation>serielle Befehle der Laser Trotec Speedy: Schritte von 5 Mikrometern</translation>
+    </message>
+    <message>
+        <source>Universal laser cutter</source>
+        <translation>Universal-Laserschneider</translation>
+    </message>
+    <message>
+        <source>HPGL dialect of Universal lasers: ticks of 1/1000 inch</source>
+        <translation>HPGL-Dialekt der Universal-Laser: Schritte von 1/1000 Zoll</translation>
+    </message>
+</context>
+<context>
+    <name>Kernel: choice</name>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>auf dem Umriss</translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>adaptiv</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>raster</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>cross</source>
+        <translation>Kreuz</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>Spirale</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>kein</translation>
+    </message>
+    <message>
+        <source>mist</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>flood</source>
+        <translation>Flut</translation>
+    </message>
+    <message>
+        <source>plunge</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>helix</source>
+        <translation>Wendel</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>five</source>
+        <translation>fünf Seiten</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>stepped</source>
+        <translation>Schritte</translation>
     </message>
 </context>
 <context>

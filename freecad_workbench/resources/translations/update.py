@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 """Collects the workbench's texts for users from its sources into every fieldfab_*.ts beside this file, which keep their
-translations, and makes the .qm files that FreeCAD reads. A new language begins as an empty file: fieldfab_fr.ts."""
+translations, and makes the .qm files that FreeCAD reads. A new language begins as an empty file: fieldfab_fr.ts.
+
+    PYTHONPATH=build/release/python /usr/bin/python3 update.py     (the kernel is asked for its own texts)
+"""
 
 import ast
 import pathlib
@@ -27,7 +30,24 @@ def collected():
             found.update(dict.fromkeys(_of_call(node) if isinstance(node, ast.Call) else _of_commands(node)))
     context = xml.parse(PREFERENCES).getroot()
     found.update(dict.fromkeys((context.findtext("class"), text.text) for text in context.iter("string")))
+    found.update(dict.fromkeys(_of_kernel()))
     return sorted(found, key=lambda each: each[0])
+
+
+def _of_kernel():
+    """What the kernel says of its operations, settings and machines."""
+    from fieldfab import cam
+
+    machines = [cam.machine(identifier) for identifier in dict(cam.machines())]
+    told = [*cam.stages(), {"name": "moves", "help": "how the paths are joined to moves",
+                            "settings": cam.joining_settings()}]
+    for each in (*told, *(setting for owner in (*told, *machines) for setting in owner["settings"])):
+        yield "Kernel", each["name"]
+        yield "Kernel", each["help"]
+        yield from (("Kernel: choice", choice) for choice in each.get("choices") or ())
+    for machine in machines:
+        yield "Kernel", machine["name"]
+        yield "Kernel", machine["description"]
 
 
 def _of_call(call):

@@ -9,6 +9,7 @@ from fieldfab_workbench import words
 from fieldfab_workbench.commands import solids
 from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, combine
 from fieldfab_workbench.objects import solid as solid_objects
+from fieldfab_workbench.panels import operation_form
 from fieldfab_workbench.shim import QtCore, QtGui
 
 
@@ -69,6 +70,34 @@ def test_panels_are_german_and_keep_what_documents_hold(german):
     boxes[0].activated.emit(boxes[0].currentIndex())
     assert setup.Zero == "corner"
     shot("german_setup")
+    press(Button.Cancel)
+
+
+def test_what_the_kernel_says_is_german(german, panels):  # noqa: F811
+    """Names, tool tips and values of the kernel's settings; what is stored stays English."""
+    setup = cam_setup.create(german, frep(german, "box(20, 20, 12)", 1))
+    cam_tool.add(setup, {"diameter": 6, "shape": "ball", "name": "Kugel"})
+    finish = cam_operation.add(setup, "finish")
+    edit(setup)
+    assert [panels[-1].machine.itemText(panels[-1].machine.findData(name)) for name in ("linuxcnc", "shopbot5")] == [
+        "LinuxCNC-Fräse", "ShopBot mit fünf Achsen"]
+    assert "G-Code für LinuxCNC: drei Achsen" in panels[-1].limits.text()
+    assert {"Schruppen", "V-Gravur", "Gewindefräsen"} <= {
+        action.text() for action in panels[-1].add_button.menu().actions()}
+    press(Button.Cancel)
+    edit(finish)
+    [form] = [widget for widget in FreeCADGui.getMainWindow().findChildren(operation_form.OperationForm)
+              if widget.isVisible()]
+    assert form.type.currentText() == "Schlichten" and form.boxes["finish"].button.text() == "Schlichten"
+    pattern = form.rows["finish"].rows["pattern"]
+    assert pattern.label.text() == "Muster" and pattern.label.toolTip() == "Muster der Bahnen"
+    assert pattern.editor.currentText() == "Zeilen (Vorgabe)"
+    assert form.rows["finish"].rows["stepover"].editor.placeholderText() == "0.1 Durchmesser"
+    pattern.editor.setCurrentIndex(pattern.editor.findText("Spirale"))
+    pattern.editor.activated.emit(pattern.editor.currentIndex())
+    assert finish.Pattern == "spiral"
+    assert form.rows["finish"].rows["skip_air"].label.text() == "Luftschnitte auslassen"
+    shot("german_operation")
     press(Button.Cancel)
 
 
