@@ -92,7 +92,9 @@ class Setting:
             return tr(FOLLOWS)
         if self.kind == "flag":
             return tr("yes") if value else tr("no")
-        return units.told(value, self.unit, 6) if self.kind == "number" else tr(value, CHOICE) if self.choices else value
+        if self.kind == "number":
+            return units.told(value, self.unit, 6)
+        return tr(value, CHOICE) if self.choices else value
 
 
 class Stage:
