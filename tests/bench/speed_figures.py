@@ -26,7 +26,11 @@ THRESHOLD = 800
 
 
 def text():
-    return ff.parse('extrude(text("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789abcdefgh", h = 5, weight = 1), 1)')
+    """Six lines of 28 letters."""
+    signs = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789abcdefghijklmnopqrstuvwxyz" * 3
+    lines = [f'move(extrude(text("{signs[28 * i: 28 * i + 28]}", h = 5, weight = 1), 1), 0, {-8 * i})'
+             for i in range(6)]
+    return ff.parse(f"union({', '.join(lines)})")
 
 
 def blend():
@@ -57,11 +61,12 @@ def tanglecube_heights():
 
 def mill():
     """The 35 parts of the PCB mill mtm_az (inches): distance fields and meshes, 5 cells a mm."""
-    parts = [ff.load(path) for path in sorted((DATA / "frep/kokopelli").rglob("mtm_az_??.math"))]
-    assert len(parts) == 35
+    files = sorted((DATA / "frep/kokopelli").rglob("mtm_az_??.math"))
+    assert len(files) == 35
 
     def run():
-        for part in parts:
+        for file in files:
+            part = ff.load(file)
             ff.build(part, voxel=1 / 127)
             ff.mesh(part, voxel=1 / 127)
 
@@ -75,13 +80,11 @@ def plate():
 
 
 def knob():
-    solid = ff.load(ROOT / "examples/knob.frep")
-    return lambda: ff.mesh(solid, voxel=0.15)
+    return lambda: ff.mesh(ff.load(ROOT / "examples/knob.frep"), voxel=0.15)
 
 
 def letters():
-    solid = text()
-    return lambda: ff.mesh(solid, voxel=0.25)
+    return lambda: ff.mesh(text(), voxel=0.25)
 
 
 def prospero():
@@ -185,7 +188,7 @@ def start():
 # what, before (s), asked (s), by other programs, how
 ROWS = [
     ("prospero.vm as a plate of 200 x 200 x 4 cells: mesh", "20 to 40", "2", "", plate),
-    ("text with strokes of two cells: mesh", "20", "1", "", letters),
+    ("168 letters with strokes of two cells: mesh", "20", "1", "", letters),
     ("mtm_az, 35 parts of 5 cells a mm: distance fields and meshes", "8.2", "1", "kokopelli 12.8", mill),
     ("tanglecube, 256 cells a side: distance field and mesh", "0.6", "0.3", "mesh only: Fidget 2.6, libfive 4.2",
      tanglecube),

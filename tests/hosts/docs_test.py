@@ -430,10 +430,12 @@ def test_the_node_that_is_shown_is_one_of_the_example():
 # Sources outside the package with code in docstrings, and the test that runs it.
 SCRIPTS = {
     "freecad_workbench/resources/examples/make.py": "writes the tracked documents, which hosts/freecad opens",
+    "freecad_workbench/resources/translations/update.py": "hosts/words_test.py compares what it collects",
     "packaging/cam_examples.py": "writes docs/cam; hosts/cam_test.py carries out the jobs",
     "examples/simulation/slotted_ball.py": "hosts/simulate_test.py runs the script, and simulates its program",
     "tests/bench/adaptive_figures.py": "a benchmark, which takes minutes",
     "tests/bench/certainty_figures.py": "a benchmark, which takes minutes",
+    "tests/bench/speed_figures.py": "a benchmark, which takes minutes",
     "tests/bench/web_balancer.py": "a benchmark, which takes minutes",
     "tests/bench/web_drag.py": "a benchmark, which takes minutes",
     "tests/bench/web_page.py": "a benchmark of the page in a browser",

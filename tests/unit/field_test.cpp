@@ -6,6 +6,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/progress.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/expression.h"
@@ -95,6 +96,20 @@ TEST(Bounds, AreFoundNotGuessed) {
                 {{-std::sqrt(2.0), -std::sqrt(2.0), -1}, {std::sqrt(2.0), std::sqrt(2.0), 1}});
   expect_bounds(frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm"))),
                 {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)});
+}
+
+// A second look needs no search; what was cancelled is not kept, and another Field has its own.
+TEST(Bounds, AreKeptWithTheField) {
+  const FieldPtr field = ball();
+  Progress cancelled;
+  cancelled.cancel();
+  EXPECT_THROW((void)solid_bounds(*field, cancelled), Error);
+  const SolidBounds found = solid_bounds(*field), again = solid_bounds(*field, cancelled);
+  EXPECT_EQ(found.box.lower, again.box.lower);
+  EXPECT_EQ(found.box.upper, again.box.upper);
+  EXPECT_TRUE(again.is_bounded());
+  EXPECT_THROW((void)solid_bounds(*ball(), cancelled), Error);
+  EXPECT_GT(solid_bounds(*translate(field, {5, 0, 0})).box.lower.x(), 3);
 }
 
 TEST(Bounds, CanBeTight) {

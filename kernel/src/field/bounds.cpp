@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
 #include <queue>
+#include <utility>
+#include <vector>
 
 #include "fieldfab/core/parallel.h"
 
@@ -13,15 +17,39 @@ constexpr double far_away = 1e6;  // mm; a solid that reaches this far counts as
 // Operations per face; boxes undecided after so many stay inside the bounds.
 constexpr std::size_t most_work = 40'000'000;
 
-/// A box that may contain some of the solid.
-struct Suspect {
-  Box box;
-  FieldPtr field;
+/// Place of a box in a search that examines next what reaches farthest.
+struct Place {
   double reach;  // coordinate of the box's end in the direction searched
   int depth;     // among equal reaches the smallest box comes first, since a box inside the solid ends the search
-  bool operator<(const Suspect& other) const {
-    return reach != other.reach ? reach < other.reach : depth < other.depth;
+  bool operator<(const Place& other) const { return reach != other.reach ? reach < other.reach : depth < other.depth; }
+};
+
+/// A box that may contain some of the solid.
+struct Suspect : Place {
+  Box box;
+};
+
+/// Boxes that may contain some of the solid, with the Field in each. Thousands of boxes share a few hundred places.
+class RestrictedSuspects {
+ public:
+  struct Suspect {
+    Box box;
+    Restriction inside;
+    std::size_t cost;  // of the Field that was restricted
+  };
+
+  [[nodiscard]] bool empty() const { return suspects_.empty(); }
+  void push(const Place& place, Suspect suspect) { suspects_[place].push_back(std::move(suspect)); }
+  std::pair<Place, Suspect> pop() {
+    const auto farthest = std::prev(suspects_.end());
+    std::pair<Place, Suspect> found{farthest->first, std::move(farthest->second.back())};
+    farthest->second.pop_back();
+    if (farthest->second.empty()) suspects_.erase(farthest);
+    return found;
   }
+
+ private:
+  std::map<Place, std::vector<Suspect>> suspects_;
 };
 
 /// NaN is outside, as 0 is.
@@ -37,26 +65,27 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
                 double& reach) {
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
   const Vec3 size = within.size();
-  std::priority_queue<Suspect> suspects;
-  suspects.push({within, field, reach_of(within), 0});
+  RestrictedSuspects suspects;
+  suspects.push({reach_of(within), 0}, {within, field->restricted(within, Purpose::occupancy), field->cost()});
   for (std::size_t work = 0; !suspects.empty();) {
     progress.check();
-    const Suspect next = suspects.top();
-    suspects.pop();
-    work += 10 * next.field->cost() + 1000;
-    const Restriction inside = next.field->restricted(next.box, Purpose::occupancy);
-    if (holds_nothing(inside.range)) continue;
-    reach = next.reach;
+    const auto [place, next] = suspects.pop();
+    work += 10 * next.cost + 1000;
+    if (holds_nothing(next.inside.range)) continue;
+    reach = place.reach;
     const Vec3 left = next.box.size();
-    if (inside.range.inside() || left[axis] <= size[axis] / 512 || work >= most_work) return true;
+    if (next.inside.range.inside() || left[axis] <= size[axis] / 512 || work >= most_work) return true;
     int longest = axis;
     for (int other = 0; other < 3; ++other)
       if (!whole[other] && left[other] * size[longest] > left[longest] * size[other]) longest = other;
-    for (const bool upper : {false, true}) {
-      Box half = next.box;
-      (upper ? half.lower : half.upper)[longest] = next.box.centre()[longest];
-      suspects.push({half, inside.field, reach_of(half), next.depth + 1});
-    }
+    // Both halves at once cost little more than one.
+    std::array<Box, 2> halves{next.box, next.box};
+    halves[0].upper[longest] = halves[1].lower[longest] = next.box.centre()[longest];
+    std::array<Restriction, 2> inside;
+    next.inside.field->restrict_all(halves, Purpose::occupancy, inside);
+    for (std::size_t half = 0; half < 2; ++half)
+      suspects.push({reach_of(halves[half]), place.depth + 1},
+                    {halves[half], std::move(inside[half]), next.inside.field->cost()});
   }
   return false;
 }
@@ -136,9 +165,7 @@ class BoundsSearch {
   SolidBounds found_;
 };
 
-}  // namespace
-
-SolidBounds solid_bounds(const Field& field, Progress& progress) {
+SolidBounds search_bounds(const Field& field, Progress& progress) {
   SolidBounds found = BoundsSearch(field, field.known_bounds(), progress).run();
   if (found.empty || found.is_bounded()) return found;
   const Framed framed = field.framed();
@@ -148,6 +175,14 @@ SolidBounds solid_bounds(const Field& field, Progress& progress) {
   const Box box = image_of(inner.box, framed.axes, framed.origin);
   const double rounding = 1e-6 * std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
   return BoundsSearch(field, box.grown(rounding), progress).run();
+}
+
+}  // namespace
+
+SolidBounds solid_bounds(const Field& field, Progress& progress) {
+  std::shared_ptr<const SolidBounds> kept = field.bounds_.load();
+  if (kept == nullptr) field.bounds_.store(kept = std::make_shared<const SolidBounds>(search_bounds(field, progress)));
+  return *kept;
 }
 
 namespace {
@@ -164,7 +199,7 @@ double nearest_reach(const FieldPtr& field, const Box& within, int axis, double 
   const double near_enough = finest * within.size().maxCoeff();
   double known = -std::numeric_limits<double>::infinity();  // how far the solid reaches at least
   std::priority_queue<Suspect> suspects;
-  suspects.push({within, field, reach_of(within), 0});
+  suspects.push({{reach_of(within), 0}, within});
   const std::size_t most = std::min(most_suspects, most_work / (field->cost() + 1));
   for (std::size_t tried = 0; tried < most && !suspects.empty(); ++tried) {
     progress.check();
@@ -176,14 +211,14 @@ double nearest_reach(const FieldPtr& field, const Box& within, int axis, double 
     (sign > 0 ? inner.upper : inner.lower)[axis] = middle;
     (sign > 0 ? outer.lower : outer.upper)[axis] = middle;
     if (holds_nothing(field->interval(outer))) {
-      if (!holds_nothing(field->interval(inner))) suspects.push({inner, field, reach_of(inner), next.depth + 1});
+      if (!holds_nothing(field->interval(inner))) suspects.push({{reach_of(inner), next.depth + 1}, inner});
       continue;
     }
     Vec3 foot = outer.centre();
     foot[axis] = middle;
     if (field->value(foot) < 0) {
       known = std::max(known, sign * middle);
-      suspects.push({outer, field, reach_of(outer), next.depth + 1});
+      suspects.push({{reach_of(outer), next.depth + 1}, outer});
       continue;
     }
     const Vec3 size = next.box.size();
@@ -197,7 +232,7 @@ double nearest_reach(const FieldPtr& field, const Box& within, int axis, double 
     for (const bool upper : {false, true}) {
       Box half = next.box;
       (upper ? half.lower : half.upper)[longest] = next.box.centre()[longest];
-      if (!holds_nothing(field->interval(half))) suspects.push({half, field, reach_of(half), next.depth + 1});
+      if (!holds_nothing(field->interval(half))) suspects.push({{reach_of(half), next.depth + 1}, half});
     }
   }
   return suspects.empty() ? reach_of(within) : suspects.top().reach;

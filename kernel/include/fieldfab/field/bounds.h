@@ -17,7 +17,7 @@ struct SolidBounds {
 /// Searches for the smallest box that contains the solid. Starts from Field::known_bounds(), or from boxes up to 1e6 mm
 /// from the origin, and removes slabs that intervals prove to be empty. If that fails in x, y and z, repeats the search
 /// in the coordinates of Field::framed(). The result is conservative: whatever intervals cannot exclude remains in the
-/// box, also where the value may be NaN. Throws Error(cancelled).
+/// box, also where the value may be NaN. The Field keeps the result. Throws Error(cancelled).
 SolidBounds solid_bounds(const Field& field, Progress& progress = Progress::none());
 
 /// Moves each face of a box that contains a solid inwards, as near to the solid as intervals show with a limited number

@@ -2,6 +2,7 @@
 /// zero on its surface.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -35,6 +36,8 @@ struct Gradients {
 };
 
 class Field;
+class Progress;
+struct SolidBounds;
 /// Fields are immutable and shared by reference count. Each member may be called from several threads at the same time.
 using FieldPtr = std::shared_ptr<const Field>;
 
@@ -149,8 +152,12 @@ class Field : public std::enable_shared_from_this<Field> {
 
  protected:
   Field() = default;
-  Field(const Field&) = default;
-  Field& operator=(const Field&) = default;
+  Field(const Field& other) : std::enable_shared_from_this<Field>(other) {}
+  Field& operator=(const Field&) = delete;
+
+ private:
+  friend SolidBounds solid_bounds(const Field& field, Progress& progress);
+  mutable std::atomic<std::shared_ptr<const SolidBounds>> bounds_;  // what solid_bounds() found
 };
 
 }  // namespace fieldfab
