@@ -159,7 +159,7 @@ class JobReader {
     if (!flat && !found.is_bounded())
       throw refuse(input, "model",
                    fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
-    Box box = flat ? found.box : tight_bounds(*field, found.box, progress_);  // the stock is as large, without margins
+    Box box = found.box;
     if (flat) box.lower.z() = box.upper.z() = 0;
     return solid_of(field, "part", box, flat);
   }

@@ -257,7 +257,7 @@ def test_kinds_of_nodes_are_saved_as_own(page, folder):
     page.add("My disc")
     page.settled()
     assert abs(page.coloured() / (math.pi * 49) - 1) < 0.02
-    assert json.loads((folder / "other.json").read_text())["nodes"][0]["name"] == "My disc"
+    page.until(lambda: json.loads((folder / "other.json").read_text())["nodes"][0]["name"] == "My disc", "the file")
     page.script("localStorage.removeItem('fabserver nodes')")
     page.find("#add-node").click()
     page.until(lambda: page.find("#close-palette").is_displayed(), "the palette")
