@@ -69,36 +69,42 @@ Material::Material(const Stock& stock, const Plane& plane, const std::function<d
   }
 }
 
-bool Material::may_meet(const Vec3& tip, const Profile& cutter, double least) const {
-  const double half = 0.7072 * heights_.cell, reach = cutter.radius() + half;
-  const Vec2 p = (tip.head<2>() - heights_.origin) / heights_.cell;
-  const double r = reach / heights_.cell;
-  const int left = std::max(0, static_cast<int>(std::ceil(p.x() - r))),
-            right = std::min(heights_.width - 1, static_cast<int>(std::floor(p.x() + r)));
-  const int bottom = std::max(0, static_cast<int>(std::ceil(p.y() - r))),
-            top = std::min(heights_.height - 1, static_cast<int>(std::floor(p.y() + r)));
-  for (int row = bottom; row <= top; ++row)
-    for (int column = left; column <= right; ++column) {
-      const double above = heights_.at(column, row) - tip.z() - least;
-      if (above <= 0) continue;
-      const double away = (heights_.place(column, row) - tip.head<2>()).norm() - half;
-      if (away < cutter.radius() && above > cutter.height(std::max(0.0, away))) return true;
-    }
-  return false;
-}
+namespace {
 
-double Material::greatest(const HeightMap& map, const Vec2& p, double reach) {
+/// Whether a condition on (cell's height, squared distance of its centre) holds for a cell with its centre within
+/// `reach` of a point.
+template <class Condition>
+bool any_near(const HeightMap& map, const Vec2& p, double reach, const Condition& holds) {
   const Vec2 low = (p - map.origin - Vec2::Constant(reach)) / map.cell,
              high = (p - map.origin + Vec2::Constant(reach)) / map.cell;
   const int left = std::max(0, static_cast<int>(std::ceil(low.x()))),
             right = std::min(map.width - 1, static_cast<int>(std::floor(high.x())));
   const int bottom = std::max(0, static_cast<int>(std::ceil(low.y()))),
             top = std::min(map.height - 1, static_cast<int>(std::floor(high.y())));
-  double found = -std::numeric_limits<double>::infinity();
   for (int row = bottom; row <= top; ++row)
-    for (int column = left; column <= right; ++column)
-      if (map.at(column, row) > found && (map.place(column, row) - p).squaredNorm() <= reach * reach)
-        found = map.at(column, row);
+    for (int column = left; column <= right; ++column) {
+      const double squared = (map.place(column, row) - p).squaredNorm();
+      if (squared <= reach * reach && holds(map.at(column, row), squared)) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+bool Material::may_meet(const Vec3& tip, const Profile& cutter, double least) const {
+  const double half = 0.7072 * heights_.cell;
+  return any_near(heights_, tip.head<2>(), cutter.radius() + half, [&](double height, double squared) {
+    const double above = height - tip.z() - least;
+    return above > 0 && above > cutter.height(std::clamp(std::sqrt(squared) - half, 0.0, cutter.radius()));
+  });
+}
+
+double Material::greatest(const HeightMap& map, const Vec2& p, double reach) {
+  double found = -std::numeric_limits<double>::infinity();
+  any_near(map, p, reach, [&](double height, double) {
+    found = std::max(found, height);
+    return false;
+  });
   return found;
 }
 

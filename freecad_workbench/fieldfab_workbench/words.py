@@ -27,10 +27,15 @@ def described(name, words, *more):
     return (name, words, *more)
 
 
+def titled(name):
+    """Returns one of the kernel's names with a capital and spaces, in English."""
+    return name[:1].upper() + name[1:].replace("_", " ")
+
+
 def kernel_name(name):
     """Returns the name of one of the kernel's operations or settings as users read it: rest_least is "Rest least"."""
     translated = tr(name, KERNEL)
-    return translated if translated != name else name[:1].upper() + name[1:].replace("_", " ")
+    return translated if translated != name else titled(name)
 
 
 def kernel_text(text):

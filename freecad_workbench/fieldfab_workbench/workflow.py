@@ -6,7 +6,7 @@ import math
 import re
 
 from . import kernel, units
-from .words import CHOICE, kernel_name, kernel_text, marked, tr
+from .words import CHOICE, kernel_name, kernel_text, marked, titled, tr
 
 FOLLOWS = marked("automatic")  # shown for a default that depends on other values
 
@@ -102,7 +102,7 @@ class Stage:
 
     def __init__(self, name, words, settings):
         self.name, self.help, self.settings = name, words, [Setting(s) for s in settings]
-        self.title = name[:1].upper() + name[1:].replace("_", " ")  # stored with properties
+        self.title = titled(name)  # stored with properties
 
     @property
     def label(self):
