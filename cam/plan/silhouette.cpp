@@ -74,8 +74,11 @@ class Silhouette final : public Field {
     for (const Box& box : boxes) columns.push_back(column(box));
     solid_->restrict_all(columns, purpose, out);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const bool same = out[i].field == solid_;
-      out[i] = {interval(boxes[i]), same ? shared_from_this() : silhouette(std::move(out[i].field), low_, high_)};
+      out[i].range = interval(boxes[i]);
+      if (out[i].field == solid_)
+        out[i].field = *this;
+      else
+        out[i].field = silhouette(std::move(out[i].field), low_, high_);
     }
   }
 

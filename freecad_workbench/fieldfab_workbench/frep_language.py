@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 from . import kernel
+from .kernel_messages import translated
 from .words import marked, tr
 
 MEANINGS = marked(("the first coordinate, mm", "the second coordinate, mm", "the third coordinate, mm",
@@ -64,7 +65,8 @@ def with_values(text, values):
 
 def mistakes(text):
     places = Places(text)
-    return [Mistake(*places.span(each), each.line - 1, each.message) for each in grammar().diagnostics(places.data)]
+    return [Mistake(*places.span(each), each.line - 1, translated(each.message))
+            for each in grammar().diagnostics(places.data)]
 
 
 def words(text=""):

@@ -6,6 +6,8 @@ import sys
 
 import FreeCAD
 
+from .kernel_messages import translated
+
 
 class _Named(type):
     def __str__(cls):
@@ -44,9 +46,10 @@ def in_a_line(function, dialog=False):
         except Mistake:
             raise
         except (ValueError, OSError, ImportError) as error:
+            words = translated(str(error))
             if dialog and not isinstance(error, Stopped):
-                show(str(error))
-            raise Mistake(str(error)) from None
+                show(words)
+            raise Mistake(words) from None
 
     return told
 
@@ -59,7 +62,7 @@ def show(words):
 
     from .shim import QtCore, QtWidgets  # Qt may be missing without a window
 
-    box = QtWidgets.QMessageBox(QtWidgets.QMessageBox.Warning, "Fieldfab", words, QtWidgets.QMessageBox.Ok,
+    box = QtWidgets.QMessageBox(QtWidgets.QMessageBox.Warning, "Fieldfab", translated(words), QtWidgets.QMessageBox.Ok,
                                 FreeCADGui.getMainWindow())
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     box.open()

@@ -7,6 +7,7 @@ import FreeCAD
 
 from . import kernel, work
 from .importing import cancelled, one_step
+from .kernel_messages import translated
 from .objects import combine, modify, openscad_node, solid
 from .openscad_tree import MOST_PARTS, Design, Part, TooLarge
 from .words import tr
@@ -75,7 +76,7 @@ def _add_shown(document, part, made):
     except ValueError as error:
         for obj in reversed(own):
             document.removeObject(obj.Name)
-        FreeCAD.Console.PrintWarning(f"{error}\n")
+        FreeCAD.Console.PrintWarning(translated(str(error)) + "\n")
     except work.Cancelled:
         made += own
         raise
@@ -86,7 +87,7 @@ def _show(obj):
     obj.OnlyWhenShown, obj.Visibility = False, True
     obj.Proxy.make_mesh(obj)
     for note in getattr(obj.Proxy.source(obj), "notes", list)():
-        FreeCAD.Console.PrintWarning(note + "\n")
+        FreeCAD.Console.PrintWarning(translated(note) + "\n")
 
 
 def _create(document, part, made):

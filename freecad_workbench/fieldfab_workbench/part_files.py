@@ -8,6 +8,7 @@ import FreeCAD
 
 from . import kernel, work
 from .importing import cancelled, one_step
+from .kernel_messages import translated
 from .objects import file_part, frep_solid
 from .objects.solid import create
 from .parts import names_of, opened_by
@@ -28,7 +29,7 @@ def insert(filename, docname, name):
     except work.Cancelled:
         raise cancelled(filename) from None
     for note in model.notes:
-        FreeCAD.Console.PrintWarning(note + "\n")
+        FreeCAD.Console.PrintWarning(translated(note) + "\n")
     if text is not None:
         return add(filename, docname, name, frep_solid.FrepSolid, [(*model.parts[0][1:], {"Expression": text})])
     opened, several = opened_by(model, filename), len(model.parts) > 1

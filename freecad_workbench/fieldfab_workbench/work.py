@@ -5,6 +5,7 @@ import time
 
 import FreeCAD
 
+from .kernel_messages import translated
 from .words import tr
 
 SHOW_AFTER = 0.4  # seconds before a dialog appears
@@ -22,7 +23,7 @@ class Task(threading.Thread):
 
     def __init__(self, function):
         super().__init__(daemon=True)
-        self.function, self.fraction, self.message = function, 0.0, ""
+        self.function, self.fraction, self._phase = function, 0.0, ""
         self.result, self.error, self.cancelled = None, None, False
 
     def run(self):
@@ -32,8 +33,13 @@ class Task(threading.Thread):
             self.error = error
 
     def progress(self, fraction, message):
-        self.fraction, self.message = fraction, message
+        self.fraction, self._phase = fraction, message
         return not self.cancelled
+
+    @property
+    def message(self):
+        """What is done now, in the user's language; "" where that is not known."""
+        return translated(self._phase)
 
     def cancel(self):
         self.cancelled = True

@@ -103,7 +103,7 @@ class Assembly final : public Field {
       return;
     }
     const Box& box = boxes.front();
-    out[0] = {Interval::unknown(), shared_from_this()};
+    out[0] = {Interval::unknown(), *this};
     if (!box.lower.allFinite() || !box.upper.allFinite()) return;
     struct Kept {
       std::size_t part;

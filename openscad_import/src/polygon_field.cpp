@@ -120,7 +120,7 @@ class Extruded final : public Field {
       const Part part = restricted_to(boxes[i]);
       out[i].range = part.range;
       out[i].field = part.outlines == outlines_
-                         ? shared_from_this()
+                         ? RestrictedField(*this)
                          : std::make_shared<Extruded>(part.outlines, middle_ - half_, middle_ + half_, growth_);
     }
   }
@@ -227,7 +227,7 @@ class Turned final : public Field {
       const Part part = restricted_to(boxes[i]);
       out[i].range = part.range;
       out[i].field =
-          part.profile == profile_ ? shared_from_this() : std::make_shared<Turned>(part.profile, turn_, growth_);
+          part.profile == profile_ ? RestrictedField(*this) : std::make_shared<Turned>(part.profile, turn_, growth_);
     }
   }
   [[nodiscard]] std::size_t cost() const noexcept override { return 40 + profile_->cost(); }

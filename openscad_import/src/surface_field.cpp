@@ -138,7 +138,7 @@ class SurfaceField final : public Field {
   void restrict_all(std::span<const Box> boxes, Purpose, std::span<Restriction> out) const override {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       double distance = 0;
-      out[i] = {range(boxes[i], distance), shared_from_this()};
+      out[i] = {range(boxes[i], distance), *this};
       if (!boxes[i].lower.allFinite() || !boxes[i].upper.allFinite()) continue;
       std::vector<std::uint32_t> near =
           within(boxes[i].centre(), (std::abs(distance) + boxes[i].diagonal()) * (1 + 1e-9) + 1e-9);

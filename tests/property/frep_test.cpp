@@ -126,8 +126,9 @@ RC_GTEST_PROP(Frep, RestrictingManyIsRestrictingEach, ()) {
   std::vector<Restriction> many(boxes.size());
   const FieldPtr slow = make_field(expression, Evaluator::reference);
   const std::vector<Evaluator> evaluators = all_evaluators();
-  make_field(expression, evaluators[static_cast<std::size_t>(draw(0, static_cast<int>(evaluators.size())))])
-      ->restrict_all(boxes, purpose, many);
+  const FieldPtr fast =
+      make_field(expression, evaluators[static_cast<std::size_t>(draw(0, static_cast<int>(evaluators.size())))]);
+  fast->restrict_all(boxes, purpose, many);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Restriction one = slow->restricted(boxes[i], purpose);  // one box at a time
     RC_ASSERT(many[i].range == one.range);

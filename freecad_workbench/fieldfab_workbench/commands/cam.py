@@ -9,6 +9,7 @@ import webbrowser
 import FreeCAD
 import FreeCADGui
 
+from ..kernel_messages import translated
 from .. import path_shim
 from ..objects import cam_operation, cam_setup, cam_tool
 from ..shim import QtWidgets
@@ -130,7 +131,7 @@ def write(program, path):
     try:
         machine_program.write_machine_file(program, path)
     except (ValueError, OSError) as error:
-        QtWidgets.QMessageBox.warning(window, "Fieldfab", str(error))
+        QtWidgets.QMessageBox.warning(window, "Fieldfab", translated(str(error)))
     else:
         window.statusBar().showMessage(tr("{path} is written").format(path=path), 10000)
 
@@ -157,7 +158,7 @@ class ToPath(_OfProgram):
             path_jobs.to_job(program, job)
         except (ValueError, ImportError) as error:
             document.abortTransaction()
-            QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "Fieldfab", str(error))
+            QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "Fieldfab", translated(str(error)))
             return
         document.recompute()
         document.commitTransaction()

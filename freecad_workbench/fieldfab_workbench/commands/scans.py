@@ -5,6 +5,7 @@ import os
 import FreeCAD
 import FreeCADGui
 
+from ..kernel_messages import translated
 from .. import files, kernel, part_files, scripts, work
 from ..file_types import SLICES, extensions, pattern
 from ..objects.frep_solid import FrepSolid
@@ -43,7 +44,7 @@ class RunScript(Command):
             try:
                 add_script(path)
             except (ValueError, work.Cancelled) as error:
-                buttons.warning(window, self.title, str(error) or tr("The script was stopped."))
+                buttons.warning(window, self.title, translated(str(error)) or tr("The script was stopped."))
 
 
 def add_script(path):

@@ -1,6 +1,7 @@
 """Task panel of a CAM set-up: a stack of boxes, one for each stage from the part to the machine (Keeter, Fig. 6-2), and
 the plan."""
 
+from ..kernel_messages import translated
 from .. import kernel, units, work, workflow
 from ..objects import cam_job, cam_operation, cam_setup, machine_program
 from ..shim import QtCore, QtWidgets
@@ -433,7 +434,7 @@ class SetupPanel(EditPanel):
                 time=machine_program.clock(program.PlannedSeconds))
         lines = [f"<b>{about}</b>" + ("" if current else f" <span style='color:gray'>{tr('(changed since)')}</span>"),
                  *map(_escaped, program.Reports),
-                 *(f"<span style='color:#8a5a00'>{_escaped(note)}</span>" for note in program.Notes)]
+                 *(f"<span style='color:#8a5a00'>{_escaped(translated(note))}</span>" for note in program.Notes)]
         self._report("<br>".join(lines))
 
     # FreeCAD's interface of a task panel.

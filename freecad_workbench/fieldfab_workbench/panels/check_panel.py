@@ -6,6 +6,7 @@ import io
 import FreeCADGui
 import numpy as np
 
+from ..kernel_messages import translated
 from .. import kernel, meshes, units
 from ..certainty import is_uncertain, with_doubt
 from ..deviations import colours, deviations, nice_reach
@@ -124,7 +125,7 @@ class CheckPanel:
             self.shown = DeviationView(self.obj, *self.coloured[:-1])
 
     def _failed(self, error):
-        self.verdict.setText(units.in_words(str(error)))
+        self.verdict.setText(units.in_words(translated(str(error))))
         self.verdict.setStyleSheet(f"color: {COLOURS[False]}")
 
     def _show_progress(self, fraction, message):

@@ -2,6 +2,7 @@
 
 import FreeCADGui
 
+from ..kernel_messages import translated
 from .. import units, work
 from ..certainty import DOUBTFUL, is_uncertain, with_doubt
 from ..shim import QtCore, QtWidgets, flags
@@ -58,7 +59,7 @@ class EditPanel:
         raise NotImplementedError
 
     def say(self, text, good=False):
-        self.message.setText(units.in_words(text))
+        self.message.setText(units.in_words(translated(text)))
         self.message.setStyleSheet(f"color: {COLOURS[good]}")
 
     def say_valid(self):

@@ -1,5 +1,6 @@
 """List of a simulation's events by kind, the worst first."""
 
+from ..kernel_messages import translated
 from .. import units
 from ..objects.simulation import event_order
 from ..shim import QtCore, QtGui, QtWidgets
@@ -114,7 +115,7 @@ class EventList(QtWidgets.QTreeWidget):
         item = QtWidgets.QTreeWidgetItem([tr(event["kind"]), lines_of(event), amount_of(event)])
         item.setData(0, EVENT, event)
         for column in range(3):
-            item.setToolTip(column, units.in_words(event["message"]))
+            item.setToolTip(column, units.in_words(translated(event["message"])))
         for column in (1, 2):
             item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         return item

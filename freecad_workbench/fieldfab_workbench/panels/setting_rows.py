@@ -1,6 +1,7 @@
 """Form generated from the settings of a workflow stage. A setting that is not given shows its default in grey. An error
 is shown below its setting."""
 
+from ..kernel_messages import translated
 from .. import units
 from ..shim import QtCore, QtWidgets
 from ..words import tr
@@ -66,7 +67,7 @@ class Row:
         self.say(self.setting.problem(value) if value is not None else "")
 
     def say(self, words):
-        self.problem.setText(units.in_words(words))
+        self.problem.setText(units.in_words(translated(words)))
         self.problem.setVisible(bool(words))
 
     def show(self):

@@ -1,5 +1,6 @@
 """Dialog with the user's tool library: its tools as pictures, which are taken into a job."""
 
+from ..kernel_messages import translated
 from .. import tool_library, units
 from ..objects import cam_tool
 from ..shim import QtCore, QtWidgets
@@ -51,7 +52,7 @@ class ToolLibraryDialog(QtWidgets.QDialog):
             self.tools = tool_library.tools()
         except (ValueError, OSError) as error:
             self.tools = []
-            return self.message.setText(str(error))
+            return self.message.setText(translated(str(error)))
         for tool in self.tools:
             item = QtWidgets.QListWidgetItem(icon(tool, SIZE), tool.get("name") or tool["shape"], self.list)
             item.setToolTip(about(tool))
@@ -75,7 +76,7 @@ class ToolLibraryDialog(QtWidgets.QDialog):
                 tool_library.remove(set(self.chosen()))
                 self.fill()
             except (ValueError, OSError) as error:
-                self.message.setText(str(error))
+                self.message.setText(translated(str(error)))
 
     def ask(self):
         paths, kind = QtWidgets.QFileDialog.getOpenFileNames(
@@ -92,7 +93,7 @@ class ToolLibraryDialog(QtWidgets.QDialog):
                 said += notes + [tr("{name}: Fieldfab does not know the tool shape {shape}").format(**each)
                                  for each in tools if each["shape"] not in cam_tool.SHAPES]
             except (ValueError, OSError) as error:
-                said.append(str(error))
+                said.append(translated(str(error)))
         self.fill()
         for place in range(before, self.list.count()):  # to be added to the job by one click
             self.list.item(place).setSelected(True)

@@ -1,5 +1,6 @@
 """Table of the tools of a CAM set-up, and all numbers of the selected tool below it."""
 
+from ..kernel_messages import translated
 from .. import tool_library, units
 from ..objects import cam_setup, cam_tool
 from ..shim import QtCore, QtWidgets
@@ -80,7 +81,7 @@ class ToolTable(QtWidgets.QWidget):
         self._show_more()
 
     def say(self, words):
-        self.message.setText(words)
+        self.message.setText(translated(words))
         self.message.setVisible(bool(words))
 
     def _edited(self, item):

@@ -5005,6 +5005,3609 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     </message>
 </context>
 <context>
+    <name>Kernel: message</name>
+    <message>
+        <source>!MC1 without a speed by !RC: 1 revolution per minute stands for it</source>
+        <translation>!MC1 ohne Drehzahl durch !RC: stattdessen gilt 1 Umdrehung je Minute</translation>
+    </message>
+    <message>
+        <source>"{0}" is none of CTD, SPT, FFS, FEFS, FEFS-FFS, RS</source>
+        <translation>"{0}" ist nicht bekannt; möglich sind CTD, SPT, FFS, FEFS, FEFS-FFS, RS</translation>
+    </message>
+    <message>
+        <source>#&lt;{0}&gt; cannot be set: it follows from the machine's state</source>
+        <translation>#&lt;{0}&gt; kann nicht gesetzt werden: der Wert folgt aus dem Zustand der Maschine</translation>
+    </message>
+    <message>
+        <source>#&lt;{0}&gt; has no value yet</source>
+        <translation>#&lt;{0}&gt; hat noch keinen Wert</translation>
+    </message>
+    <message>
+        <source>#&lt;{0}&gt; is 0: there is no such thing here</source>
+        <translation>#&lt;{0}&gt; ist 0: dergleichen gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>#&lt;{0}&gt; would be no finite number</source>
+        <translation>#&lt;{0}&gt; wäre keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>&amp; without the name of a variable</source>
+        <translation>&amp; ohne Namen einer Variablen</translation>
+    </message>
+    <message>
+        <source>&amp;{0} is given something that is not known here</source>
+        <translation>&amp;{0} erhält etwas, das hier unbekannt ist</translation>
+    </message>
+    <message>
+        <source>'(' without its ')'</source>
+        <translation>'(' ohne ')'</translation>
+    </message>
+    <message>
+        <source>'(' without its ')': the rest of the line is a comment</source>
+        <translation>'(' ohne ')': der Rest der Zeile ist Kommentar</translation>
+    </message>
+    <message>
+        <source>'&lt;' without its '&gt;'</source>
+        <translation>'&lt;' ohne '&gt;'</translation>
+    </message>
+    <message>
+        <source>'=' is missing behind &amp;{0}</source>
+        <translation>'=' fehlt hinter &amp;{0}</translation>
+    </message>
+    <message>
+        <source>'=' is missing behind a parameter that begins a word</source>
+        <translation>'=' fehlt hinter einem Parameter am Wortanfang</translation>
+    </message>
+    <message>
+        <source>'[' without its ']'</source>
+        <translation>'[' ohne ']'</translation>
+    </message>
+    <message>
+        <source>'files' are names</source>
+        <translation>'files' sind Namen</translation>
+    </message>
+    <message>
+        <source>'open' has no option '{0}'{1}</source>
+        <translation>'open' hat keine Option '{0}'{1}</translation>
+    </message>
+    <message>
+        <source>'open' lacks the name of a file in quotes</source>
+        <translation>bei 'open' fehlt der Dateiname in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>'part' lacks its shape or its name: part(SHAPE, "NAME", "COLOUR")</source>
+        <translation>bei 'part' fehlt die Form oder der Name: part(SHAPE, "NAME", "COLOUR")</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot begin a word</source>
+        <translation>mit '{0}' kann kein Wort beginnen</translation>
+    </message>
+    <message>
+        <source>'{0}' compares nothing</source>
+        <translation>'{0}' ist kein Vergleichszeichen</translation>
+    </message>
+    <message>
+        <source>'{0}' found behind a value</source>
+        <translation>'{0}' hinter einem Wert gefunden</translation>
+    </message>
+    <message>
+        <source>'{0}' found where a number should be</source>
+        <translation>'{0}' gefunden, Zahl erwartet</translation>
+    </message>
+    <message>
+        <source>'{0}' found where a value should be</source>
+        <translation>'{0}' gefunden, Wert erwartet</translation>
+    </message>
+    <message>
+        <source>'{0}' found where an argument in brackets should be</source>
+        <translation>'{0}' gefunden, Argument in Klammern erwartet</translation>
+    </message>
+    <message>
+        <source>'{0}' found where an instruction should be</source>
+        <translation>'{0}' gefunden, Anweisung erwartet</translation>
+    </message>
+    <message>
+        <source>'{0}' found where an operator or ']' should be</source>
+        <translation>'{0}' gefunden, Operator oder ']' erwartet</translation>
+    </message>
+    <message>
+        <source>'{0}' has a meaning already and cannot be given another</source>
+        <translation>'{0}' hat schon eine Bedeutung und kann keine andere bekommen</translation>
+    </message>
+    <message>
+        <source>'{0}' has another type</source>
+        <translation>'{0}' hat einen anderen Typ</translation>
+    </message>
+    <message>
+        <source>'{0}' has no parameter '{1}'; it has: {2}</source>
+        <translation>'{0}' hat keinen Parameter '{1}'; vorhanden: {2}</translation>
+    </message>
+    <message>
+        <source>'{0}' is a command to the control: passed over</source>
+        <translation>'{0}' ist ein Befehl an die Steuerung: übergangen</translation>
+    </message>
+    <message>
+        <source>'{0}' is a function already</source>
+        <translation>'{0}' ist schon eine Funktion</translation>
+    </message>
+    <message>
+        <source>'{0}' is a function: write {1}(...)</source>
+        <translation>'{0}' ist eine Funktion: {1}(...) schreiben</translation>
+    </message>
+    <message>
+        <source>'{0}' is an option of a {1}, and this is a {2}</source>
+        <translation>'{0}' ist eine Option für Dateien der Art {1}, diese hat die Art {2}</translation>
+    </message>
+    <message>
+        <source>'{0}' is defined twice</source>
+        <translation>'{0}' ist doppelt definiert</translation>
+    </message>
+    <message>
+        <source>'{0}' is no number</source>
+        <translation>'{0}' ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text</source>
+        <translation>'{0}' ist kein Text</translation>
+    </message>
+    <message>
+        <source>'{0}' is no type of sample</source>
+        <translation>'{0}' ist kein Typ von Messwerten</translation>
+    </message>
+    <message>
+        <source>'{0}' is no whole number from 0 to 99999</source>
+        <translation>'{0}' ist keine ganze Zahl von 0 bis 99999</translation>
+    </message>
+    <message>
+        <source>'{0}' is none of automatic, reference, portable, avx2, avx512, jit, jit-avx2, jit-avx512</source>
+        <translation>'{0}' ist nicht automatic, reference, portable, avx2, avx512, jit, jit-avx2 oder jit-avx512</translation>
+    </message>
+    <message>
+        <source>'{0}' is none of bitmap, height, normals, shaded</source>
+        <translation>'{0}' ist nicht bitmap, height, normals oder shaded</translation>
+    </message>
+    <message>
+        <source>'{0}' is none of median, gaussian, anisotropic</source>
+        <translation>'{0}' ist nicht median, gaussian oder anisotropic</translation>
+    </message>
+    <message>
+        <source>'{0}' is not a density, a share such as 90%, halfway, or otsu</source>
+        <translation>'{0}' ist weder eine Dichte noch ein Anteil wie 90%, halfway oder otsu</translation>
+    </message>
+    <message>
+        <source>'{0}' is not a distance</source>
+        <translation>'{0}' ist kein Abstand</translation>
+    </message>
+    <message>
+        <source>'{0}' is not a number above 0, up to 100</source>
+        <translation>'{0}' ist keine Zahl über 0 bis höchstens 100</translation>
+    </message>
+    <message>
+        <source>'{0}' is not known behind an O-word</source>
+        <translation>'{0}' ist hinter einem O-Wort unbekannt</translation>
+    </message>
+    <message>
+        <source>'{0}' is not known here</source>
+        <translation>'{0}' ist hier unbekannt</translation>
+    </message>
+    <message>
+        <source>'{0}' is three numbers</source>
+        <translation>'{0}' sind drei Zahlen</translation>
+    </message>
+    <message>
+        <source>'{0}' is too much behind {1}</source>
+        <translation>'{0}' ist hinter {1} zu viel</translation>
+    </message>
+    <message>
+        <source>'{0}' lacks its argument '{1}'</source>
+        <translation>bei '{0}' fehlt das Argument '{1}'</translation>
+    </message>
+    <message>
+        <source>'{0}' of 'open' must be a plain number or words</source>
+        <translation>'{0}' von 'open' muss eine konstante Zahl oder ein Text sein</translation>
+    </message>
+    <message>
+        <source>'{0}' of '{1}' must be a plain {2}</source>
+        <translation>'{0}' von '{1}' muss eine Konstante sein: {2}</translation>
+    </message>
+    <message>
+        <source>'{0}' of '{1}' {2}</source>
+        <translation>'{0}' von '{1}' {2}</translation>
+    </message>
+    <message>
+        <source>'{0}' of two solids: write a | b for their union, or value(a) {0} value(b) for numbers</source>
+        <translation>'{0}' bei zwei Körpern: a | b für ihre Vereinigung schreiben, oder value(a) {0} value(b) für Zahlen</translation>
+    </message>
+    <message>
+        <source>'{0}' takes at most {1} argument{2}</source>
+        <translation>'{0}': Argument{2}zahl höchstens {1}</translation>
+    </message>
+    <message>
+        <source>'{0}' takes no words in quotes</source>
+        <translation>'{0}' nimmt keinen Text in Anführungszeichen an</translation>
+    </message>
+    <message>
+        <source>'{0}' was never declared</source>
+        <translation>'{0}' wurde nie deklariert</translation>
+    </message>
+    <message>
+        <source>, or a thickness to make a plate of a flat model</source>
+        <translation>, oder eine Dicke, um aus einem flachen Modell eine Platte zu machen</translation>
+    </message>
+    <message>
+        <source>1 to 100000 frames of 16 to 8192 pixels are wanted</source>
+        <translation>möglich sind 1 bis 100000 Einzelbilder von 16 bis 8192 Pixeln</translation>
+    </message>
+    <message>
+        <source>; it has none at all</source>
+        <translation>; sie hat überhaupt keine</translation>
+    </message>
+    <message>
+        <source>; it knows {0}</source>
+        <translation>; bekannt sind {0}</translation>
+    </message>
+    <message>
+        <source>@ and ^ are of the plane G17</source>
+        <translation>@ und ^ gibt es nur in der Ebene G17</translation>
+    </message>
+    <message>
+        <source>@ and ^ do not go with X and Y</source>
+        <translation>@ und ^ sind nicht zusammen mit X und Y möglich</translation>
+    </message>
+    <message>
+        <source>ACOS of {0}, which is not between -1 and 1</source>
+        <translation>ACOS von {0}: das Argument muss zwischen -1 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>ASIN of {0}, which is not between -1 and 1</source>
+        <translation>ASIN von {0}: das Argument muss zwischen -1 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>ATAN must be written as ATAN[y]/[x]</source>
+        <translation>ATAN muss als ATAN[y]/[x] geschrieben werden</translation>
+    </message>
+    <message>
+        <source>CG with a diameter of {0} cannot reach its end</source>
+        <translation>CG mit Durchmesser {0} kann sein Ende nicht erreichen</translation>
+    </message>
+    <message>
+        <source>CP away from where the tool is, and the tool is below 0: the height that the control pulls up to is not known here</source>
+        <translation>CP abseits der Werkzeugposition, und das Werkzeug steht unter 0: die Höhe, auf die die Steuerung anhebt, ist hier unbekannt</translation>
+    </message>
+    <message>
+        <source>CP needs a diameter above 0</source>
+        <translation>CP braucht einen Durchmesser über 0</translation>
+    </message>
+    <message>
+        <source>CP: the control pulls up before it goes to the circle; the height that the tool has is taken</source>
+        <translation>CP: die Steuerung hebt das Werkzeug an, bevor sie zum Kreis fährt; angenommen wird die aktuelle Werkzeughöhe</translation>
+    </message>
+    <message>
+        <source>D{0} is below 0</source>
+        <translation>D{0} liegt unter 0</translation>
+    </message>
+    <message>
+        <source>EXISTS must be written as EXISTS[#&lt;name&gt;]</source>
+        <translation>EXISTS muss als EXISTS[#&lt;name&gt;] geschrieben werden</translation>
+    </message>
+    <message>
+        <source>F in the block of {0} still counts in the units before it</source>
+        <translation>F im Satz mit {0} gilt noch in der vorherigen Einheit</translation>
+    </message>
+    <message>
+        <source>F{0} is below 0</source>
+        <translation>F{0} liegt unter 0</translation>
+    </message>
+    <message>
+        <source>G10 L20 has no use for R</source>
+        <translation>G10 L20 verwendet kein R</translation>
+    </message>
+    <message>
+        <source>G10 L{0} P{1}: there are P1 to P9, and P0 for the one in force</source>
+        <translation>G10 L{0} P{1}: möglich sind P1 bis P9, und P0 für das aktive Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G10 L{0} P{1}: there is no such tool</source>
+        <translation>G10 L{0} P{1}: dieses Werkzeug gibt es nicht</translation>
+    </message>
+    <message>
+        <source>G10 L{0} is not known here</source>
+        <translation>G10 L{0} ist hier unbekannt</translation>
+    </message>
+    <message>
+        <source>G10 L{0} while G68 is in force</source>
+        <translation>G10 L{0} bei aktivem G68</translation>
+    </message>
+    <message>
+        <source>G10 needs L</source>
+        <translation>G10 braucht L</translation>
+    </message>
+    <message>
+        <source>G10 needs P</source>
+        <translation>G10 braucht P</translation>
+    </message>
+    <message>
+        <source>G28 and G30 cannot be used while G68 is in force</source>
+        <translation>G28 und G30 sind bei aktivem G68 nicht möglich</translation>
+    </message>
+    <message>
+        <source>G33 needs K, the pitch</source>
+        <translation>G33 braucht K, die Steigung</translation>
+    </message>
+    <message>
+        <source>G33 while the spindle stands still</source>
+        <translation>G33 bei stehender Spindel</translation>
+    </message>
+    <message>
+        <source>G38: the probe is taken to touch nothing on its way</source>
+        <translation>G38: angenommen wird, dass der Messtaster unterwegs nichts berührt</translation>
+    </message>
+    <message>
+        <source>G4 needs P, the seconds</source>
+        <translation>G4 braucht P, die Sekunden</translation>
+    </message>
+    <message>
+        <source>G4 with S and no P is taken as seconds, as Marlin does</source>
+        <translation>G4 mit S und ohne P gilt als Sekunden, wie bei Marlin</translation>
+    </message>
+    <message>
+        <source>G43.1 is known for X, Y and Z only</source>
+        <translation>G43.1 ist nur für X, Y und Z bekannt</translation>
+    </message>
+    <message>
+        <source>G43.1 needs an axis word</source>
+        <translation>G43.1 braucht ein Achswort</translation>
+    </message>
+    <message>
+        <source>G43.2 needs H</source>
+        <translation>G43.2 braucht H</translation>
+    </message>
+    <message>
+        <source>G5 needs P and Q</source>
+        <translation>G5 braucht P und Q</translation>
+    </message>
+    <message>
+        <source>G5 needs both I and J, or neither</source>
+        <translation>G5 braucht I und J oder keines von beiden</translation>
+    </message>
+    <message>
+        <source>G5.1 needs I and J</source>
+        <translation>G5.1 braucht I und J</translation>
+    </message>
+    <message>
+        <source>G5.3 without G5.2</source>
+        <translation>G5.3 ohne G5.2</translation>
+    </message>
+    <message>
+        <source>G53 cannot be used while G68 is in force</source>
+        <translation>G53 ist bei aktivem G68 nicht möglich</translation>
+    </message>
+    <message>
+        <source>G53 goes with G0 and G1 only</source>
+        <translation>G53 ist nur mit G0 und G1 möglich</translation>
+    </message>
+    <message>
+        <source>G53 needs G90</source>
+        <translation>G53 braucht G90</translation>
+    </message>
+    <message>
+        <source>G68 and G69</source>
+        <translation>G68 und G69</translation>
+    </message>
+    <message>
+        <source>G68 needs R, the angle</source>
+        <translation>G68 braucht R, den Winkel</translation>
+    </message>
+    <message>
+        <source>G68 turns about a point of the plane in force</source>
+        <translation>G68 dreht um einen Punkt der aktiven Ebene</translation>
+    </message>
+    <message>
+        <source>G76 needs P and J above 0, and I other than 0</source>
+        <translation>G76 braucht P und J über 0 und I ungleich 0</translation>
+    </message>
+    <message>
+        <source>G76 needs {0}</source>
+        <translation>G76 braucht {0}</translation>
+    </message>
+    <message>
+        <source>G76 takes no axis word but Z</source>
+        <translation>G76 nimmt kein Achswort außer Z</translation>
+    </message>
+    <message>
+        <source>G76 while the spindle stands still</source>
+        <translation>G76 bei stehender Spindel</translation>
+    </message>
+    <message>
+        <source>G76 with E beyond the thread's length</source>
+        <translation>G76 mit E über die Gewindelänge hinaus</translation>
+    </message>
+    <message>
+        <source>G76 with Q{0}: the slant is between 0 and 80 degrees</source>
+        <translation>G76 mit Q{0}: der Zustellwinkel muss zwischen 0 und 80 Grad liegen</translation>
+    </message>
+    <message>
+        <source>G76 with R{0}: it must be 1 or more</source>
+        <translation>G76 mit R{0}: R muss mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>G76 with a bad H or L</source>
+        <translation>G76 mit unzulässigem H oder L</translation>
+    </message>
+    <message>
+        <source>G76 with more than {0} passes</source>
+        <translation>G76 mit mehr als {0} Durchgängen</translation>
+    </message>
+    <message>
+        <source>G76: K, the full depth, must be more than J, the first cut's</source>
+        <translation>G76: K, die volle Tiefe, muss größer sein als J, die Tiefe des ersten Schnitts</translation>
+    </message>
+    <message>
+        <source>G80 has no use for axis words</source>
+        <translation>G80 verwendet keine Achswörter</translation>
+    </message>
+    <message>
+        <source>G88: the operator is taken to draw the tool out straight</source>
+        <translation>G88: angenommen wird, dass der Bediener das Werkzeug gerade herauszieht</translation>
+    </message>
+    <message>
+        <source>G96 with D{0}: the greatest speed must be above 0</source>
+        <translation>G96 mit D{0}: die größte Drehzahl muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>G{0} is below 0</source>
+        <translation>G{0} liegt unter 0</translation>
+    </message>
+    <message>
+        <source>H{0} is below 0</source>
+        <translation>H{0} liegt unter 0</translation>
+    </message>
+    <message>
+        <source>IF without THEN</source>
+        <translation>IF ohne THEN</translation>
+    </message>
+    <message>
+        <source>IF {0}: what the control knows is not known here; taken as not so</source>
+        <translation>IF {0}: die Werte der Steuerung sind hier unbekannt; gilt als nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>LN of {0}, which is not above 0</source>
+        <translation>LN von {0}: das Argument muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>M61 needs Q, the tool's number</source>
+        <translation>M61 braucht Q, die Werkzeugnummer</translation>
+    </message>
+    <message>
+        <source>M61 with Q{0}, which is below 0</source>
+        <translation>M61 mit Q{0}: Q darf nicht unter 0 liegen</translation>
+    </message>
+    <message>
+        <source>M66 waits for an input: it is taken as not there (#5399 is -1)</source>
+        <translation>M66 wartet auf einen Eingang: er gilt als nicht vorhanden (#5399 ist -1)</translation>
+    </message>
+    <message>
+        <source>M72 where M70 has saved nothing</source>
+        <translation>M72, ohne dass M70 etwas gesichert hat</translation>
+    </message>
+    <message>
+        <source>M73 outside of a subroutine does nothing</source>
+        <translation>M73 bewirkt außerhalb eines Unterprogramms nichts</translation>
+    </message>
+    <message>
+        <source>M98 needs P, the program's number</source>
+        <translation>M98 braucht P, die Programmnummer</translation>
+    </message>
+    <message>
+        <source>M98 with L{0}, which is below 0</source>
+        <translation>M98 mit L{0}: L darf nicht unter 0 liegen</translation>
+    </message>
+    <message>
+        <source>M99 in the main program would begin it anew for ever: it ends here</source>
+        <translation>M99 im Hauptprogramm würde es endlos wiederholen: es endet hier</translation>
+    </message>
+    <message>
+        <source>MOD of zero</source>
+        <translation>MOD mit Divisor null</translation>
+    </message>
+    <message>
+        <source>M{0} and M{1} exclude each other in one block</source>
+        <translation>M{0} und M{1} schließen einander in einem Satz aus</translation>
+    </message>
+    <message>
+        <source>M{0} and M{1} in one block: the last one holds</source>
+        <translation>M{0} und M{1} in einem Satz: das letzte gilt</translation>
+    </message>
+    <message>
+        <source>M{0} has no meaning here: passed over</source>
+        <translation>M{0} hat hier keine Bedeutung: übergangen</translation>
+    </message>
+    <message>
+        <source>M{0} is not known here</source>
+        <translation>M{0} ist hier unbekannt</translation>
+    </message>
+    <message>
+        <source>M{0} sets an output: passed over</source>
+        <translation>M{0} setzt einen Ausgang: übergangen</translation>
+    </message>
+    <message>
+        <source>N without its number</source>
+        <translation>N ohne Nummer</translation>
+    </message>
+    <message>
+        <source>PD before !PZ has said how deep</source>
+        <translation>PD, bevor !PZ die Tiefe festgelegt hat</translation>
+    </message>
+    <message>
+        <source>Python in a program is not carried out</source>
+        <translation>Python in einem Programm wird nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>RETURN without GOSUB</source>
+        <translation>RETURN ohne GOSUB</translation>
+    </message>
+    <message>
+        <source>SO switches an output: passed over</source>
+        <translation>SO schaltet einen Ausgang: übergangen</translation>
+    </message>
+    <message>
+        <source>SQRT of {0}, which is below 0</source>
+        <translation>SQRT von {0}: das Argument darf nicht unter 0 liegen</translation>
+    </message>
+    <message>
+        <source>S{0} is below 0</source>
+        <translation>S{0} liegt unter 0</translation>
+    </message>
+    <message>
+        <source>TR with a speed of {0}</source>
+        <translation>TR mit unzulässiger Drehzahl {0}</translation>
+    </message>
+    <message>
+        <source>T{0} is below 0</source>
+        <translation>T{0} liegt unter 0</translation>
+    </message>
+    <message>
+        <source>VA: what follows the five axes is passed over</source>
+        <translation>VA: was auf die fünf Achsen folgt, wird übergangen</translation>
+    </message>
+    <message>
+        <source>Z{0} is not known here</source>
+        <translation>Z{0} ist hier unbekannt</translation>
+    </message>
+    <message>
+        <source>^ without @ at the origin</source>
+        <translation>^ ohne @ am Ursprung</translation>
+    </message>
+    <message>
+        <source>a .glb file holds at most 4 GiB; .3mf and .ply files hold more</source>
+        <translation>eine .glb-Datei fasst höchstens 4 GiB; .3mf- und .ply-Dateien fassen mehr</translation>
+    </message>
+    <message>
+        <source>a Field's interval or its restriction does not agree with its values</source>
+        <translation>das Intervall eines Field oder seine Einschränkung passt nicht zu seinen Werten</translation>
+    </message>
+    <message>
+        <source>a NURBS moves X and Y only</source>
+        <translation>eine NURBS bewegt nur X und Y</translation>
+    </message>
+    <message>
+        <source>a NURBS of order {0}</source>
+        <translation>NURBS mit unzulässiger Ordnung {0}</translation>
+    </message>
+    <message>
+        <source>a NURBS of order {0} needs as many control points; there are {1}</source>
+        <translation>eine NURBS der Ordnung {0} braucht mindestens ebenso viele Kontrollpunkte; vorhanden sind {1}</translation>
+    </message>
+    <message>
+        <source>a block is not in it</source>
+        <translation>ein Block liegt nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>a block stands where none can be</source>
+        <translation>ein Block steht, wo keiner sein kann</translation>
+    </message>
+    <message>
+        <source>a box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>a branch with children that do not fit it</source>
+        <translation>ein Zweig mit unpassenden Kindern</translation>
+    </message>
+    <message>
+        <source>a canned cycle</source>
+        <translation>Bohrzyklus</translation>
+    </message>
+    <message>
+        <source>a cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>a cell of {0} mm</source>
+        <translation>eine Zelle von {0} mm</translation>
+    </message>
+    <message>
+        <source>a cell's content</source>
+        <translation>Inhalt einer Zelle</translation>
+    </message>
+    <message>
+        <source>a centre and an angle</source>
+        <translation>einen Mittelpunkt und einen Winkel</translation>
+    </message>
+    <message>
+        <source>a change of kinematics</source>
+        <translation>Kinematikwechsel</translation>
+    </message>
+    <message>
+        <source>a change of plane</source>
+        <translation>Ebenenwechsel</translation>
+    </message>
+    <message>
+        <source>a change of the tool's length</source>
+        <translation>Änderung der Werkzeuglänge</translation>
+    </message>
+    <message>
+        <source>a chip load needs a diameter above 0</source>
+        <translation>ein Zahnvorschub braucht einen Durchmesser über 0</translation>
+    </message>
+    <message>
+        <source>a circle inside or outside of the line needs the cutter's diameter, which is not known here</source>
+        <translation>ein Kreis innerhalb oder außerhalb der Linie braucht den Fräserdurchmesser, der hier unbekannt ist</translation>
+    </message>
+    <message>
+        <source>a circle with a proportion of {0}</source>
+        <translation>Kreis mit unzulässigem Streckfaktor {0}</translation>
+    </message>
+    <message>
+        <source>a circle with a radius of 0</source>
+        <translation>Kreis mit Radius 0</translation>
+    </message>
+    <message>
+        <source>a circle with tabs or a pocket is not known here</source>
+        <translation>ein Kreis mit Haltestegen oder Tasche ist hier unbekannt</translation>
+    </message>
+    <message>
+        <source>a circle with {0} repetitions</source>
+        <translation>Kreis mit unzulässiger Anzahl von {0} Wiederholungen</translation>
+    </message>
+    <message>
+        <source>a column's end</source>
+        <translation>Ende einer Säule</translation>
+    </message>
+    <message>
+        <source>a command with more than 100 parameters</source>
+        <translation>Befehl mit mehr als 100 Parametern</translation>
+    </message>
+    <message>
+        <source>a component</source>
+        <translation>eine Komponente</translation>
+    </message>
+    <message>
+        <source>a constant must be a finite number</source>
+        <translation>eine Konstante muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>a control point with the weight {0}</source>
+        <translation>Kontrollpunkt mit unzulässigem Gewicht {0}</translation>
+    </message>
+    <message>
+        <source>a corner</source>
+        <translation>eine Ecke</translation>
+    </message>
+    <message>
+        <source>a count is larger than the file</source>
+        <translation>eine Anzahl ist größer als die Datei</translation>
+    </message>
+    <message>
+        <source>a division</source>
+        <translation>Teilung</translation>
+    </message>
+    <message>
+        <source>a dwell of {0} seconds</source>
+        <translation>unzulässige Verweilzeit von {0} Sekunden</translation>
+    </message>
+    <message>
+        <source>a face has an impossible number of crossings</source>
+        <translation>eine Fläche hat eine unmögliche Zahl von Schnittpunkten</translation>
+    </message>
+    <message>
+        <source>a face refers to a vertex that is not there</source>
+        <translation>eine Fläche verweist auf einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a feed of {0} mm/min</source>
+        <translation>unzulässiger Vorschub von {0} mm/min</translation>
+    </message>
+    <message>
+        <source>a feed per revolution (G95) while the spindle's speed is 0</source>
+        <translation>Vorschub je Umdrehung (G95) bei Spindeldrehzahl 0</translation>
+    </message>
+    <message>
+        <source>a feed without a feed rate (F): its time is not counted</source>
+        <translation>Vorschubbewegung ohne Vorschub (F): ihre Zeit wird nicht gezählt</translation>
+    </message>
+    <message>
+        <source>a feed without a feed rate: F is missing or 0</source>
+        <translation>Vorschubbewegung ohne Vorschub: F fehlt oder ist 0</translation>
+    </message>
+    <message>
+        <source>a fixture needs a model, or lower and upper corners</source>
+        <translation>ein Spannmittel braucht ein Modell oder eine untere und eine obere Ecke</translation>
+    </message>
+    <message>
+        <source>a form tool is for simulation only: nothing is planned with it</source>
+        <translation>ein Formwerkzeug dient nur der Simulation: mit ihm wird nichts geplant</translation>
+    </message>
+    <message>
+        <source>a function's argument must stand in brackets</source>
+        <translation>das Argument einer Funktion muss in Klammern stehen</translation>
+    </message>
+    <message>
+        <source>a job needs a machine</source>
+        <translation>ein Auftrag braucht eine Maschine</translation>
+    </message>
+    <message>
+        <source>a job needs an [input] with a model or an image</source>
+        <translation>ein Auftrag braucht ein [input] mit einem Modell oder einem Bild</translation>
+    </message>
+    <message>
+        <source>a job needs at least one [[operation]]</source>
+        <translation>ein Auftrag braucht mindestens eine [[operation]]</translation>
+    </message>
+    <message>
+        <source>a job with an image as its input has no other models</source>
+        <translation>ein Auftrag mit einem Bild als Eingabe hat keine anderen Modelle</translation>
+    </message>
+    <message>
+        <source>a lattice needs two points and a positive length along each axis</source>
+        <translation>ein Raster braucht entlang jeder Achse zwei Punkte und eine positive Länge</translation>
+    </message>
+    <message>
+        <source>a list has a negative length</source>
+        <translation>eine Liste hat eine negative Länge</translation>
+    </message>
+    <message>
+        <source>a machine needs the key {0}</source>
+        <translation>eine Maschine braucht den Schlüssel {0}</translation>
+    </message>
+    <message>
+        <source>a machine that takes {0} has the format text, dxf or svg</source>
+        <translation>eine Maschine mit takes = '{0}' hat das Format text, dxf oder svg</translation>
+    </message>
+    <message>
+        <source>a machine that tilts has one or two [[kinematics.axis]]</source>
+        <translation>eine Maschine mit Schwenkachsen hat ein oder zwei [[kinematics.axis]]</translation>
+    </message>
+    <message>
+        <source>a merged cell has several patches</source>
+        <translation>eine verschmolzene Zelle hat mehrere Flächenstücke</translation>
+    </message>
+    <message>
+        <source>a mesh this fine</source>
+        <translation>ein so feines Netz</translation>
+    </message>
+    <message>
+        <source>a model that opens other files can be written as .frep text only</source>
+        <translation>ein Modell, das andere Dateien öffnet, kann nur als .frep-Text geschrieben werden</translation>
+    </message>
+    <message>
+        <source>a move before MS: 25.4 mm/s is taken</source>
+        <translation>Bewegung vor MS: 25.4 mm/s werden angenommen</translation>
+    </message>
+    <message>
+        <source>a move before VS: 3 mm/s is taken</source>
+        <translation>Bewegung vor VS: 3 mm/s werden angenommen</translation>
+    </message>
+    <message>
+        <source>a move to {0}, which no machine can reach</source>
+        <translation>Bewegung nach {0}, für keine Maschine erreichbar</translation>
+    </message>
+    <message>
+        <source>a number of cells</source>
+        <translation>Zahl der Zellen</translation>
+    </message>
+    <message>
+        <source>a number of samples</source>
+        <translation>Zahl der Messpunkte</translation>
+    </message>
+    <message>
+        <source>a number of slots</source>
+        <translation>Zahl der Plätze</translation>
+    </message>
+    <message>
+        <source>a palette of an impossible kind</source>
+        <translation>eine Palette unmöglicher Art</translation>
+    </message>
+    <message>
+        <source>a parameter between &lt; and &gt; needs a name</source>
+        <translation>ein Parameter zwischen &lt; und &gt; braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>a pause of {0} seconds</source>
+        <translation>unzulässige Pause von {0} Sekunden</translation>
+    </message>
+    <message>
+        <source>a picture needs finite bounds with a positive size along x and y</source>
+        <translation>ein Bild braucht endliche Grenzen mit positiver Ausdehnung in x und y</translation>
+    </message>
+    <message>
+        <source>a picture of a program is a .png or an .svg</source>
+        <translation>ein Bild eines Programms ist eine .png- oder .svg-Datei</translation>
+    </message>
+    <message>
+        <source>a picture of a solid needs finite bounds with a positive size along x, y and z</source>
+        <translation>ein Bild eines Körpers braucht endliche Grenzen mit positiver Ausdehnung in x, y und z</translation>
+    </message>
+    <message>
+        <source>a picture of a stock is a .png</source>
+        <translation>ein Bild eines Rohteils ist eine .png-Datei</translation>
+    </message>
+    <message>
+        <source>a placement must be finite and invertible</source>
+        <translation>eine Platzierung muss endlich und umkehrbar sein</translation>
+    </message>
+    <message>
+        <source>a profile begins on the axis and goes outwards: [[0, 0], ..., [radius, height]]</source>
+        <translation>ein Profil beginnt auf der Achse und läuft nach außen: [[0, 0], ..., [Radius, Höhe]]</translation>
+    </message>
+    <message>
+        <source>a profile is [[distance from the axis, height], ...]</source>
+        <translation>ein Profil ist [[Abstand von der Achse, Höhe], ...]</translation>
+    </message>
+    <message>
+        <source>a radius</source>
+        <translation>einen Radius</translation>
+    </message>
+    <message>
+        <source>a random state</source>
+        <translation>Zustand des Zufallsgenerators</translation>
+    </message>
+    <message>
+        <source>a rapid goes through material</source>
+        <translation>ein Eilgang geht durch Material</translation>
+    </message>
+    <message>
+        <source>a region must be finite and have a positive size along x and y</source>
+        <translation>ein Bereich muss endlich sein und in x und y eine positive Ausdehnung haben</translation>
+    </message>
+    <message>
+        <source>a region must be finite and have a positive size along x, y and z</source>
+        <translation>ein Bereich muss endlich sein und in x, y und z eine positive Ausdehnung haben</translation>
+    </message>
+    <message>
+        <source>a rotary axis is called A, B or C, not '{0}'</source>
+        <translation>eine Drehachse heißt A, B oder C, nicht '{0}'</translation>
+    </message>
+    <message>
+        <source>a rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>a sample</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>a sample's edge</source>
+        <translation>Kante eines Messpunkts</translation>
+    </message>
+    <message>
+        <source>a saved stock has its own {0}</source>
+        <translation>ein gespeichertes Rohteil hat schon {0}</translation>
+    </message>
+    <message>
+        <source>a saved stock is as it is: file stands alone</source>
+        <translation>ein gespeichertes Rohteil steht fest: file steht allein</translation>
+    </message>
+    <message>
+        <source>a scallop needs a ball, bull-nose or tapered tool; give a stepover</source>
+        <translation>eine Rillenhöhe (scallop) braucht einen Kugelfräser, Torusfräser oder konischen Kugelfräser; einen Bahnabstand (stepover) angeben</translation>
+    </message>
+    <message>
+        <source>a section has finite points that are not left of the axis</source>
+        <translation>die Punkte eines Querschnitts müssen endlich sein und dürfen nicht links der Achse liegen</translation>
+    </message>
+    <message>
+        <source>a section needs two points at different heights</source>
+        <translation>ein Querschnitt braucht zwei Punkte in verschiedener Höhe</translation>
+    </message>
+    <message>
+        <source>a set-up needs a [stock]</source>
+        <translation>eine Aufspannung braucht ein [stock]</translation>
+    </message>
+    <message>
+        <source>a slice is missing between {0} and {1}</source>
+        <translation>zwischen {0} und {1} fehlt ein Schichtbild</translation>
+    </message>
+    <message>
+        <source>a solid that was made in memory has no text: save it as a file, and open that</source>
+        <translation>ein im Speicher erzeugter Körper hat keinen Text: als Datei speichern und diese öffnen</translation>
+    </message>
+    <message>
+        <source>a speed above 0, in cm/s</source>
+        <translation>eine Geschwindigkeit über 0, in cm/s</translation>
+    </message>
+    <message>
+        <source>a speed above 0, in mm/s</source>
+        <translation>eine Geschwindigkeit über 0, in mm/s</translation>
+    </message>
+    <message>
+        <source>a spline moves X and Y only</source>
+        <translation>ein Spline bewegt nur X und Y</translation>
+    </message>
+    <message>
+        <source>a subroutine cannot be defined within another one</source>
+        <translation>ein Unterprogramm kann nicht innerhalb eines anderen definiert werden</translation>
+    </message>
+    <message>
+        <source>a thread needs its pitch</source>
+        <translation>ein Gewinde braucht eine Steigung</translation>
+    </message>
+    <message>
+        <source>a thread of {0} mm needs a smaller hole than that of {1} mm</source>
+        <translation>ein Gewinde von {0} mm braucht eine kleinere Bohrung als die von {1} mm</translation>
+    </message>
+    <message>
+        <source>a tick of {0} mm</source>
+        <translation>unzulässiger Schritt von {0} mm</translation>
+    </message>
+    <message>
+        <source>a tool has no path</source>
+        <translation>ein Werkzeug hat keinen Pfad</translation>
+    </message>
+    <message>
+        <source>a triangle</source>
+        <translation>ein Dreieck</translation>
+    </message>
+    <message>
+        <source>a unit of {0} mm</source>
+        <translation>unzulässige Einheit von {0} mm</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>ein Wert fehlt</translation>
+    </message>
+    <message>
+        <source>a vertex</source>
+        <translation>einen Eckpunkt</translation>
+    </message>
+    <message>
+        <source>a vertex is not a finite number</source>
+        <translation>ein Eckpunkt ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a vertex is not at a finite place</source>
+        <translation>ein Eckpunkt liegt nicht an einer endlichen Stelle</translation>
+    </message>
+    <message>
+        <source>a {0} needs a corner_radius of at most its radius</source>
+        <translation>{0}: corner_radius muss über 0 liegen und darf den Werkzeugradius nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>a {0} tool needs an angle between 0 and 180 degrees</source>
+        <translation>ein Werkzeug der Form {0} braucht einen Winkel zwischen 0 und 180 Grad</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>größer als</translation>
+    </message>
+    <message>
+        <source>an [[operation]] needs a type</source>
+        <translation>eine [[operation]] braucht einen type</translation>
+    </message>
+    <message>
+        <source>an arc in a plane that the rotation in force does not keep: given as short straight feeds</source>
+        <translation>Bogen in einer Ebene, die bei der aktiven Drehung nicht erhalten bleibt: durch kurze gerade Vorschubbewegungen ersetzt</translation>
+    </message>
+    <message>
+        <source>an arc of {0} degrees</source>
+        <translation>unzulässiger Bogen von {0} Grad</translation>
+    </message>
+    <message>
+        <source>an arc repeated from a height below it</source>
+        <translation>Bogen, der von einer Höhe unter ihm aus wiederholt wird</translation>
+    </message>
+    <message>
+        <source>an arc whose radius is not more than the tool's</source>
+        <translation>Bogen, dessen Radius nicht größer als der des Werkzeugs ist</translation>
+    </message>
+    <message>
+        <source>an arc with P{0}: turns are 1 or more</source>
+        <translation>Bogen mit P{0}: mindestens 1 Umdrehung ist nötig</translation>
+    </message>
+    <message>
+        <source>an arc with R and a centre</source>
+        <translation>Bogen mit R und Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>an arc with R and no place to end in its plane</source>
+        <translation>Bogen mit R ohne Endpunkt in seiner Ebene</translation>
+    </message>
+    <message>
+        <source>an arc with R that ends where it begins</source>
+        <translation>Bogen mit R, der dort endet, wo er beginnt</translation>
+    </message>
+    <message>
+        <source>an arc with a radius of 0</source>
+        <translation>Bogen mit Radius 0</translation>
+    </message>
+    <message>
+        <source>an arc without R and without its centre's offsets</source>
+        <translation>Bogen ohne R und ohne Mittelpunktabstände</translation>
+    </message>
+    <message>
+        <source>an axis</source>
+        <translation>eine Achse</translation>
+    </message>
+    <message>
+        <source>an axis has a letter, a direction [x, y, z] and limits [from, to] in degrees</source>
+        <translation>eine Achse hat einen Buchstaben, eine Richtung [x, y, z] und Grenzen [von, bis] in Grad</translation>
+    </message>
+    <message>
+        <source>an edge belongs to more than two triangles, or to two of opposite orientation</source>
+        <translation>eine Kante gehört zu mehr als zwei Dreiecken oder zu zweien mit entgegengesetztem Umlaufsinn</translation>
+    </message>
+    <message>
+        <source>an image must have pixels</source>
+        <translation>ein Bild muss Pixel haben</translation>
+    </message>
+    <message>
+        <source>an impossible picture of {0} x {1} pixels</source>
+        <translation>ein unmögliches Bild von {0} x {1} Pixeln</translation>
+    </message>
+    <message>
+        <source>an impossible size</source>
+        <translation>eine unmögliche Größe</translation>
+    </message>
+    <message>
+        <source>an inner corner that the tool cannot reach without gouging</source>
+        <translation>Innenecke, die das Werkzeug nicht ohne Konturverletzung erreicht</translation>
+    </message>
+    <message>
+        <source>an input is a model or an image, not both</source>
+        <translation>input ist ein Modell oder ein Bild, nicht beides</translation>
+    </message>
+    <message>
+        <source>an input needs a model, or models, or an image</source>
+        <translation>input braucht model, models oder image</translation>
+    </message>
+    <message>
+        <source>an instruction with more than a million numbers</source>
+        <translation>Anweisung mit mehr als einer Million Zahlen</translation>
+    </message>
+    <message>
+        <source>an item</source>
+        <translation>ein Element 'item'</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an operator</source>
+        <translation>ein Operator</translation>
+    </message>
+    <message>
+        <source>an unknown kind of cell</source>
+        <translation>eine unbekannte Art von Zelle</translation>
+    </message>
+    <message>
+        <source>another coordinate system</source>
+        <translation>Wechsel des Koordinatensystems</translation>
+    </message>
+    <message>
+        <source>another coordinate system while G68 is in force</source>
+        <translation>Wechsel des Koordinatensystems bei aktivem G68</translation>
+    </message>
+    <message>
+        <source>anticlockwise</source>
+        <translation>gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>as a math string this expression would be larger than 64 MB, since shared parts are repeated; write .vm or .frep</source>
+        <translation>als Formel in Präfixschreibweise wäre dieser Ausdruck größer als 64 MB, weil gemeinsame Teile wiederholt werden; als .vm oder .frep schreiben</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>mindestens</translation>
+    </message>
+    <message>
+        <source>at least 2 planes a half turn</source>
+        <translation>mindestens 2 Ebenen je halbe Umdrehung</translation>
+    </message>
+    <message>
+        <source>at {0} places something thinner than {1} mm may stand, for example at x {2}, y {3} up to z {4}: the tool stays above it</source>
+        <translation>an {0} Stellen steht möglicherweise etwas, das dünner als {1} mm ist, zum Beispiel bei x {2}, y {3} bis z {4}: das Werkzeug bleibt darüber</translation>
+    </message>
+    <message>
+        <source>axis words, but no G code in force that uses them</source>
+        <translation>Achswörter, aber kein aktiver G-Code, der sie verwendet</translation>
+    </message>
+    <message>
+        <source>beam lattices</source>
+        <translation>Stabgitter</translation>
+    </message>
+    <message>
+        <source>begins above the lowest place of the mesh</source>
+        <translation>beginnt über der tiefsten Stelle des Netzes</translation>
+    </message>
+    <message>
+        <source>begins with an arc</source>
+        <translation>beginnt mit einem Bogen</translation>
+    </message>
+    <message>
+        <source>begins with the element '{0}' instead of 'model'</source>
+        <translation>beginnt mit dem Element '{0}' statt mit 'model'</translation>
+    </message>
+    <message>
+        <source>bounds are x0, y0, z0, x1, y1, z1</source>
+        <translation>bounds sind x0, y0, z0, x1, y1, z1</translation>
+    </message>
+    <message>
+        <source>building the distance field</source>
+        <translation>Abstandsfeld wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>bull-nose tool</source>
+        <translation>Torusfräser</translation>
+    </message>
+    <message>
+        <source>bytes follow its directory</source>
+        <translation>nach dem Verzeichnis folgen weitere Bytes</translation>
+    </message>
+    <message>
+        <source>bytes follow the last cell</source>
+        <translation>nach der letzten Zelle folgen weitere Bytes</translation>
+    </message>
+    <message>
+        <source>cannot be compressed</source>
+        <translation>kann nicht komprimiert werden</translation>
+    </message>
+    <message>
+        <source>cannot be made: {0}</source>
+        <translation>kann nicht angelegt werden: {0}</translation>
+    </message>
+    <message>
+        <source>cannot be read: {0}</source>
+        <translation>kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>cannot begin to deflate</source>
+        <translation>die Komprimierung lässt sich nicht beginnen</translation>
+    </message>
+    <message>
+        <source>cannot begin to read PNG</source>
+        <translation>das Lesen von PNG lässt sich nicht beginnen</translation>
+    </message>
+    <message>
+        <source>cannot deflate</source>
+        <translation>die Komprimierung ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>cannot make a parser</source>
+        <translation>ein Parser lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>cannot map: {0}</source>
+        <translation>kann nicht in den Speicher abgebildet werden: {0}</translation>
+    </message>
+    <message>
+        <source>cannot read: {0}</source>
+        <translation>kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>cannot write a mesh as '{0}'; known are .stl .ply .off .obj .3mf .glb</source>
+        <translation>ein Netz kann nicht als '{0}' geschrieben werden; bekannt sind .stl .ply .off .obj .3mf .glb</translation>
+    </message>
+    <message>
+        <source>cannot write: is a folder</source>
+        <translation>kann nicht geschrieben werden: ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>cannot write: not all of it is there when it is read again</source>
+        <translation>kann nicht geschrieben werden: beim erneuten Lesen fehlt ein Teil</translation>
+    </message>
+    <message>
+        <source>cannot {0}: {1}</source>
+        <translation>{0} nicht möglich: {1}</translation>
+    </message>
+    <message>
+        <source>cell and tolerance must be above 0</source>
+        <translation>cell und tolerance müssen über 0 liegen</translation>
+    </message>
+    <message>
+        <source>cell must be above 0</source>
+        <translation>cell muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>cells are from 4 to 256, levels from 0 to 20, the angle above 0</source>
+        <translation>möglich sind 4 bis 256 Zellen, 0 bis 20 Stufen und ein Winkel über 0</translation>
+    </message>
+    <message>
+        <source>centre must be [x, y, z]</source>
+        <translation>centre muss [x, y, z] sein</translation>
+    </message>
+    <message>
+        <source>checking against OpenVDB</source>
+        <translation>Vergleich mit OpenVDB</translation>
+    </message>
+    <message>
+        <source>checking the distance field</source>
+        <translation>Abstandsfeld wird geprüft</translation>
+    </message>
+    <message>
+        <source>checking the mesh with CGAL</source>
+        <translation>Netz wird mit CGAL geprüft</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>closing holes</source>
+        <translation>Löcher werden geschlossen</translation>
+    </message>
+    <message>
+        <source>colours and materials</source>
+        <translation>Farben und Materialien</translation>
+    </message>
+    <message>
+        <source>colours in planes of their own are not read</source>
+        <translation>Farben in getrennten Ebenen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>coordinates is '{0}'; it must be one of program, model{1}</source>
+        <translation>coordinates ist '{0}'; möglich sind program, model{1}</translation>
+    </message>
+    <message>
+        <source>cutter compensation in G18 with a rotated coordinate system</source>
+        <translation>Fräserradiuskorrektur in G18 bei gedrehtem Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>cutter compensation is of the planes G17 and G18</source>
+        <translation>Fräserradiuskorrektur gibt es nur in den Ebenen G17 und G18</translation>
+    </message>
+    <message>
+        <source>cylinder is [x, y, radius, z from, z to]</source>
+        <translation>cylinder ist [x, y, Radius, z von, z bis]</translation>
+    </message>
+    <message>
+        <source>deep cuts</source>
+        <translation>tiefe Schnitte</translation>
+    </message>
+    <message>
+        <source>direction must not be zero</source>
+        <translation>direction darf nicht null sein</translation>
+    </message>
+    <message>
+        <source>divides the region into more than 2^24 cells a side</source>
+        <translation>teilt den Bereich in mehr als 2^24 Zellen je Seite</translation>
+    </message>
+    <message>
+        <source>division by zero</source>
+        <translation>Division durch null</translation>
+    </message>
+    <message>
+        <source>does not begin with OFF</source>
+        <translation>beginnt nicht mit OFF</translation>
+    </message>
+    <message>
+        <source>does not begin with ply</source>
+        <translation>beginnt nicht mit ply</translation>
+    </message>
+    <message>
+        <source>does not tell its size: give --dims X,Y,Z, or a name such as scan_256x256x128_uint16.raw</source>
+        <translation>nennt die Größe nicht: --dims X,Y,Z angeben oder einen Namen wie scan_256x256x128_uint16.raw</translation>
+    </message>
+    <message>
+        <source>does not tell the size of its part '{0}'</source>
+        <translation>nennt die Größe des Teils '{0}' nicht</translation>
+    </message>
+    <message>
+        <source>does not tell the volume's size: no line such as 'size = 255 255 511'</source>
+        <translation>nennt die Größe des Volumens nicht: es fehlt eine Zeile wie 'size = 255 255 511'</translation>
+    </message>
+    <message>
+        <source>does not tell where its samples are (ElementDataFile)</source>
+        <translation>nennt den Ort der Messwerte nicht (ElementDataFile)</translation>
+    </message>
+    <message>
+        <source>each control point needs both X and Y</source>
+        <translation>jeder Kontrollpunkt braucht X und Y</translation>
+    </message>
+    <message>
+        <source>each control point needs its weight P, above 0</source>
+        <translation>jeder Kontrollpunkt braucht sein Gewicht P, über 0</translation>
+    </message>
+    <message>
+        <source>elements of '{0}'</source>
+        <translation>Elemente von '{0}'</translation>
+    </message>
+    <message>
+        <source>ends too early</source>
+        <translation>endet zu früh</translation>
+    </message>
+    <message>
+        <source>every density is {0}: there is no surface</source>
+        <translation>alle Dichten sind {0}: es gibt keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>expected a number, found '{0}'</source>
+        <translation>erwartet: eine Zahl, gefunden: '{0}'</translation>
+    </message>
+    <message>
+        <source>expected a number, found {0}</source>
+        <translation>erwartet: eine Zahl, gefunden: {0}</translation>
+    </message>
+    <message>
+        <source>expected a whole number below 2^31, found '{0}'</source>
+        <translation>erwartet: eine ganze Zahl unter 2^31, gefunden: '{0}'</translation>
+    </message>
+    <message>
+        <source>expected a whole number of bytes</source>
+        <translation>erwartet: eine ganze Zahl von Bytes</translation>
+    </message>
+    <message>
+        <source>expected an operation after the name {0}</source>
+        <translation>nach dem Namen {0} wird eine Operation erwartet</translation>
+    </message>
+    <message>
+        <source>expected little or big, found '{0}'</source>
+        <translation>erwartet: little oder big, gefunden: '{0}'</translation>
+    </message>
+    <message>
+        <source>expected open("FILE", NAME = VALUE, ...)</source>
+        <translation>erwartet: open("FILE", NAME = VALUE, ...)</translation>
+    </message>
+    <message>
+        <source>expected part(SHAPE, "NAME", "COLOUR")</source>
+        <translation>erwartet: part(SHAPE, "NAME", "COLOUR")</translation>
+    </message>
+    <message>
+        <source>expected the twelve numbers of a transform, found '{0}'</source>
+        <translation>erwartet: die zwölf Zahlen einer Transformation, gefunden: '{0}'</translation>
+    </message>
+    <message>
+        <source>expected {0} numbers apart by commas, found '{1}'</source>
+        <translation>erwartet: {0} durch Kommas getrennte Zahlen, gefunden: '{1}'</translation>
+    </message>
+    <message>
+        <source>expected {0}, found {1}</source>
+        <translation>erwartet: {0}, gefunden: {1}</translation>
+    </message>
+    <message>
+        <source>facing needs a tool with a diameter, and a stepover above 0</source>
+        <translation>Planfräsen braucht ein Werkzeug mit Durchmesser und einen Bahnabstand über 0</translation>
+    </message>
+    <message>
+        <source>feed is {0}; {1} goes no faster than {2} mm/min</source>
+        <translation>feed ist {0}; {1} fährt höchstens {2} mm/min</translation>
+    </message>
+    <message>
+        <source>fewer bricks than its box</source>
+        <translation>weniger Teilquader als im Quader</translation>
+    </message>
+    <message>
+        <source>files cannot be opened from this text</source>
+        <translation>aus diesem Text lassen sich keine Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>files open each other more than {0} deep</source>
+        <translation>Dateien öffnen einander mehr als {0} Ebenen tief</translation>
+    </message>
+    <message>
+        <source>filling cells</source>
+        <translation>Zellen werden gefüllt</translation>
+    </message>
+    <message>
+        <source>finding the bounds</source>
+        <translation>Grenzen werden gesucht</translation>
+    </message>
+    <message>
+        <source>frame {0} of {1}</source>
+        <translation>Einzelbild {0} von {1}</translation>
+    </message>
+    <message>
+        <source>functions call each other more than {0} deep</source>
+        <translation>Funktionsaufrufe sind mehr als {0} Ebenen tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>give a depth, or a stock with a thickness</source>
+        <translation>eine Tiefe angeben oder ein Rohteil mit einer Dicke</translation>
+    </message>
+    <message>
+        <source>going to another moment</source>
+        <translation>anderer Zeitpunkt wird berechnet</translation>
+    </message>
+    <message>
+        <source>has '[' without ']'</source>
+        <translation>hat '[' ohne ']'</translation>
+    </message>
+    <message>
+        <source>has '{{' without '}}'</source>
+        <translation>hat '{{' ohne '}}'</translation>
+    </message>
+    <message>
+        <source>has a document type declaration, which is not allowed in .3mf files</source>
+        <translation>enthält eine Dokumenttyp-Deklaration, die in .3mf-Dateien nicht erlaubt ist</translation>
+    </message>
+    <message>
+        <source>has a letter that only strings and comments may have</source>
+        <translation>enthält ein Zeichen, das nur in Zeichenketten und Kommentaren stehen darf</translation>
+    </message>
+    <message>
+        <source>has a property of unknown type '{0}'</source>
+        <translation>enthält eine Eigenschaft vom unbekannten Typ '{0}'</translation>
+    </message>
+    <message>
+        <source>has a tag or a comment longer than 1 MiB</source>
+        <translation>enthält ein Tag oder einen Kommentar von mehr als 1 MiB</translation>
+    </message>
+    <message>
+        <source>has a transform of more than twelve numbers</source>
+        <translation>enthält eine Transformation mit mehr als zwölf Zahlen</translation>
+    </message>
+    <message>
+        <source>has a transform that flattens object {0}</source>
+        <translation>enthält eine Transformation, die Objekt {0} flach drückt</translation>
+    </message>
+    <message>
+        <source>has a triangle of vertices {0}, {1} and {2} in an object of {3} vertices</source>
+        <translation>enthält ein Dreieck aus den Eckpunkten {0}, {1} und {2} in einem Objekt mit {3} Eckpunkten</translation>
+    </message>
+    <message>
+        <source>has an object of type '{0}'; known are model, solidsupport, support, surface and other</source>
+        <translation>enthält ein Objekt vom Typ '{0}'; bekannt sind model, solidsupport, support, surface und other</translation>
+    </message>
+    <message>
+        <source>has an object {0} that is a component of itself</source>
+        <translation>enthält ein Objekt {0}, das Komponente seiner selbst ist</translation>
+    </message>
+    <message>
+        <source>has become shorter while it was read</source>
+        <translation>wurde während des Lesens kürzer</translation>
+    </message>
+    <message>
+        <source>has changed</source>
+        <translation>hat sich geändert</translation>
+    </message>
+    <message>
+        <source>has different units along its axes</source>
+        <translation>hat verschiedene Einheiten entlang der Achsen</translation>
+    </message>
+    <message>
+        <source>has more than 256 MiB of names</source>
+        <translation>enthält mehr als 256 MiB an Namen</translation>
+    </message>
+    <message>
+        <source>has more than 2^20 objects and groups of materials</source>
+        <translation>enthält mehr als 2^20 Objekte und Materialgruppen</translation>
+    </message>
+    <message>
+        <source>has more than 2^22 components and items</source>
+        <translation>enthält mehr als 2^22 Komponenten und Elemente 'item'</translation>
+    </message>
+    <message>
+        <source>has more than 2^27 cells</source>
+        <translation>hat mehr als 2^27 Zellen</translation>
+    </message>
+    <message>
+        <source>has more than {0} elements within each other</source>
+        <translation>enthält mehr als {0} ineinander verschachtelte Elemente</translation>
+    </message>
+    <message>
+        <source>has no level {0}; there are 0 to {1}</source>
+        <translation>hat keine Stufe {0}; es gibt 0 bis {1}</translation>
+    </message>
+    <message>
+        <source>has no part '{0}'</source>
+        <translation>enthält kein Teil '{0}'</translation>
+    </message>
+    <message>
+        <source>has no tools</source>
+        <translation>hat keine Werkzeuge</translation>
+    </message>
+    <message>
+        <source>has no triangle with an area</source>
+        <translation>hat kein Dreieck mit einer Fläche über 0</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>has no workpiece</source>
+        <translation>hat kein Werkstück</translation>
+    </message>
+    <message>
+        <source>has nothing to show</source>
+        <translation>enthält nichts Sichtbares</translation>
+    </message>
+    <message>
+        <source>has one level only</source>
+        <translation>hat nur eine Stufe</translation>
+    </message>
+    <message>
+        <source>has several slices at one place: choose between them with --series, or put one set in a folder of its own</source>
+        <translation>enthält mehrere Schichtbilder an einer Stelle: mit --series auswählen oder einen Satz in einen eigenen Ordner legen</translation>
+    </message>
+    <message>
+        <source>has the unit '{0}'; known are micron, millimeter, centimeter, inch, foot and meter</source>
+        <translation>hat die Einheit '{0}'; bekannt sind micron, millimeter, centimeter, inch, foot und meter</translation>
+    </message>
+    <message>
+        <source>has the unit '{0}'; known are mm, um, nm, cm, m and in</source>
+        <translation>hat die Einheit '{0}'; bekannt sind mm, um, nm, cm, m und in</translation>
+    </message>
+    <message>
+        <source>has two objects with the id {0}</source>
+        <translation>enthält zwei Objekte mit der id {0}</translation>
+    </message>
+    <message>
+        <source>has {0} without '{1}'</source>
+        <translation>enthält {0} ohne '{1}'</translation>
+    </message>
+    <message>
+        <source>height and weight must be above 0 mm</source>
+        <translation>height und weight müssen über 0 mm liegen</translation>
+    </message>
+    <message>
+        <source>holds a file that GDCM, which reads DICOM, gives up at</source>
+        <translation>enthält eine Datei, an der GDCM beim Lesen von DICOM scheitert</translation>
+    </message>
+    <message>
+        <source>holds a grid that is not linear</source>
+        <translation>enthält ein nichtlineares Gitter</translation>
+    </message>
+    <message>
+        <source>holds a grid with an impossible transform</source>
+        <translation>enthält ein Gitter mit unmöglicher Transformation</translation>
+    </message>
+    <message>
+        <source>holds a grid without samples</source>
+        <translation>enthält ein Gitter ohne Messwerte</translation>
+    </message>
+    <message>
+        <source>holds another number of samples than it tells</source>
+        <translation>enthält eine andere Zahl von Messwerten als angegeben</translation>
+    </message>
+    <message>
+        <source>holds both TIFF and PNG files; slices of one kind are wanted</source>
+        <translation>enthält TIFF- und PNG-Dateien; verlangt sind Schichtbilder einer Art</translation>
+    </message>
+    <message>
+        <source>holds more than one slice, where each file should be one</source>
+        <translation>enthält mehr als ein Schichtbild; jede Datei sollte eines sein</translation>
+    </message>
+    <message>
+        <source>holds neither TIFF nor PNG slices nor a DICOM series</source>
+        <translation>enthält weder TIFF- noch PNG-Schichtbilder noch eine DICOM-Serie</translation>
+    </message>
+    <message>
+        <source>holds no DICOM series</source>
+        <translation>enthält keine DICOM-Serie</translation>
+    </message>
+    <message>
+        <source>holds no grid of 32-bit real numbers</source>
+        <translation>enthält kein Gitter aus 32-Bit-Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>holds no series '{0}'</source>
+        <translation>enthält keine Serie '{0}'</translation>
+    </message>
+    <message>
+        <source>holds no triangles</source>
+        <translation>enthält keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>holds {0} bytes; {1} x {2} x {3} samples of {4} after a header of {5} bytes are {6}</source>
+        <translation>enthält {0} Byte; {1} x {2} x {3} Messwerte vom Typ {4} nach einem Dateikopf von {5} Byte ergeben {6}</translation>
+    </message>
+    <message>
+        <source>holds {0} pictures, where each file should be one</source>
+        <translation>enthält {0} Bilder; jede Datei sollte eines sein</translation>
+    </message>
+    <message>
+        <source>holds {0} series; choose one with --series</source>
+        <translation>enthält {0} Serien; eine mit --series auswählen</translation>
+    </message>
+    <message>
+        <source>how far the tool moves aside or where it ends</source>
+        <translation>den seitlichen Versatz oder die Endhöhe</translation>
+    </message>
+    <message>
+        <source>importing the volume</source>
+        <translation>Volumen wird importiert</translation>
+    </message>
+    <message>
+        <source>is '{0}'; it must be one of {1}{2}</source>
+        <translation>ist '{0}'; möglich sind {1}{2}</translation>
+    </message>
+    <message>
+        <source>is PLY of the form '{0}', which is not read</source>
+        <translation>ist PLY in der Form '{0}', die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>is a NIfTI-2 file; NIfTI-1 is read</source>
+        <translation>ist eine NIfTI-2-Datei; gelesen wird NIfTI-1</translation>
+    </message>
+    <message>
+        <source>is a damaged PNG: it ends within a chunk</source>
+        <translation>ist eine beschädigte PNG-Datei: sie endet mitten in einem Block</translation>
+    </message>
+    <message>
+        <source>is a number, not words in quotes</source>
+        <translation>ist eine Zahl, kein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>is a part of another volume's import</source>
+        <translation>gehört zum Import eines anderen Volumens</translation>
+    </message>
+    <message>
+        <source>is a script; scripts are run by the fieldfab command only, by their names</source>
+        <translation>ist ein Skript; Skripte führt nur der Befehl fieldfab aus, wenn ihr Name angegeben ist</translation>
+    </message>
+    <message>
+        <source>is a slice in another direction than the first of its series</source>
+        <translation>ist ein Schichtbild in anderer Richtung als das erste der Serie</translation>
+    </message>
+    <message>
+        <source>is cut off after {0} bytes</source>
+        <translation>bricht nach {0} Byte ab</translation>
+    </message>
+    <message>
+        <source>is damaged or cut off</source>
+        <translation>ist beschädigt oder unvollständig</translation>
+    </message>
+    <message>
+        <source>is damaged or no .asdf file: a block cannot be decompressed</source>
+        <translation>ist beschädigt oder keine .asdf-Datei: ein Block lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>is damaged or no .asdf file: a block's cells do not make a tree</source>
+        <translation>ist beschädigt oder keine .asdf-Datei: die Zellen eines Blocks ergeben keinen Baum</translation>
+    </message>
+    <message>
+        <source>is damaged or no .asdf file: {0}</source>
+        <translation>ist beschädigt oder keine .asdf-Datei: {0}</translation>
+    </message>
+    <message>
+        <source>is damaged or no saved stock: {0}</source>
+        <translation>ist beschädigt oder kein gespeichertes Rohteil: {0}</translation>
+    </message>
+    <message>
+        <source>is damaged: {0}, which reads it, gives up at it</source>
+        <translation>ist beschädigt: {0} scheitert beim Lesen</translation>
+    </message>
+    <message>
+        <source>is larger than {0} bytes</source>
+        <translation>ist größer als {0} Byte</translation>
+    </message>
+    <message>
+        <source>is no .vdb file, or a damaged one, or of a later version</source>
+        <translation>ist keine .vdb-Datei, beschädigt oder von einer neueren Version</translation>
+    </message>
+    <message>
+        <source>is no NIfTI file, or a damaged one</source>
+        <translation>ist keine NIfTI-Datei oder beschädigt</translation>
+    </message>
+    <message>
+        <source>is no PNG file, or a damaged one</source>
+        <translation>ist keine PNG-Datei oder beschädigt</translation>
+    </message>
+    <message>
+        <source>is no TIFF file, or a damaged one</source>
+        <translation>ist keine TIFF-Datei oder beschädigt</translation>
+    </message>
+    <message>
+        <source>is no project of CAMotics: JSON is wanted</source>
+        <translation>ist kein CAMotics-Projekt: JSON wird erwartet</translation>
+    </message>
+    <message>
+        <source>is no tool library: a JSON object is wanted</source>
+        <translation>ist keine Werkzeugbibliothek: erwartet wird ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>is no tool library: known are FreeCAD's .fctb and .fctl, and Fusion's .json</source>
+        <translation>ist keine Werkzeugbibliothek: bekannt sind .fctb und .fctl von FreeCAD und .json von Fusion</translation>
+    </message>
+    <message>
+        <source>is no {0} file, or a damaged one: {1}</source>
+        <translation>ist keine {0}-Datei oder beschädigt: {1}</translation>
+    </message>
+    <message>
+        <source>is not a PNG</source>
+        <translation>ist keine PNG-Datei</translation>
+    </message>
+    <message>
+        <source>is not a mesh file; known are .stl .ply .off .obj .3mf</source>
+        <translation>ist keine Netzdatei; bekannt sind .stl .ply .off .obj .3mf</translation>
+    </message>
+    <message>
+        <source>is not a zip archive, which .3mf files are: {0}</source>
+        <translation>ist kein Zip-Archiv, wie .3mf-Dateien es sind: {0}</translation>
+    </message>
+    <message>
+        <source>is not an STL file: its size does not fit its count of triangles</source>
+        <translation>ist keine STL-Datei: die Größe passt nicht zur Zahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>is not closed</source>
+        <translation>ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>is not part {0} of {1} of an import</source>
+        <translation>ist nicht Teil {0} von {1} eines Imports</translation>
+    </message>
+    <message>
+        <source>is of version {0} of saved stocks; known is version {1}</source>
+        <translation>ist von Version {0} gespeicherter Rohteile; bekannt ist Version {1}</translation>
+    </message>
+    <message>
+        <source>is written, not read; known are {0}</source>
+        <translation>wird nur geschrieben, nicht gelesen; bekannt sind {0}</translation>
+    </message>
+    <message>
+        <source>is written, not read; meshes are read from .stl .ply .off .obj .3mf</source>
+        <translation>wird nur geschrieben, nicht gelesen; Netze werden aus .stl .ply .off .obj .3mf gelesen</translation>
+    </message>
+    <message>
+        <source>is {0}; it must be a whole number</source>
+        <translation>ist {0}, muss aber eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>is {0}; it must be at most {1}{2}</source>
+        <translation>ist {0}, darf aber höchstens {1}{2} sein</translation>
+    </message>
+    <message>
+        <source>is {0}; it must be {1} {2}{3}</source>
+        <translation>ist {0}; muss {1} {2}{3} sein</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked</source>
+        <translation>lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>it cuts while the spindle stands</source>
+        <translation>schneidet bei stehender Spindel</translation>
+    </message>
+    <message>
+        <source>it cuts {0} mm into the target at ({1}, {2}, {3})</source>
+        <translation>schneidet {0} mm in das Ziel bei ({1}, {2}, {3})</translation>
+    </message>
+    <message>
+        <source>it does not begin as one</source>
+        <translation>der Anfang passt nicht dazu</translation>
+    </message>
+    <message>
+        <source>it ends too early</source>
+        <translation>endet zu früh</translation>
+    </message>
+    <message>
+        <source>it has no such piece</source>
+        <translation>hat kein solches Stück</translation>
+    </message>
+    <message>
+        <source>it has {0} that cannot be</source>
+        <translation>unmögliche Angabe: {0}</translation>
+    </message>
+    <message>
+        <source>it moves {0}, an axis that {1} does not have</source>
+        <translation>hier bewegt sich {0}, eine Achse, die {1} nicht hat</translation>
+    </message>
+    <message>
+        <source>its box is empty</source>
+        <translation>der Quader ist leer</translation>
+    </message>
+    <message>
+        <source>its cells do not make a tree</source>
+        <translation>die Zellen ergeben keinen Baum</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong</source>
+        <translation>die Prüfsumme ist falsch</translation>
+    </message>
+    <message>
+        <source>its components and items would make more than {0} triangles or vertices</source>
+        <translation>seine Komponenten und Elemente 'item' ergäben mehr als {0} Dreiecke oder Eckpunkte</translation>
+    </message>
+    <message>
+        <source>its directory cannot be decompressed</source>
+        <translation>das Verzeichnis lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>its directory ends too early</source>
+        <translation>das Verzeichnis endet zu früh</translation>
+    </message>
+    <message>
+        <source>its directory holds more than its tree</source>
+        <translation>das Verzeichnis enthält mehr als den Baum</translation>
+    </message>
+    <message>
+        <source>its directory is not in it</source>
+        <translation>das Verzeichnis liegt nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>its faces are not the surface of a solid</source>
+        <translation>seine Flächen bilden nicht die Oberfläche eines Körpers</translation>
+    </message>
+    <message>
+        <source>its faces could not be joined</source>
+        <translation>seine Flächen ließen sich nicht verknüpfen</translation>
+    </message>
+    <message>
+        <source>its header has no end</source>
+        <translation>der Dateikopf hat kein Ende</translation>
+    </message>
+    <message>
+        <source>its header is not possible</source>
+        <translation>der Dateikopf ist unmöglich</translation>
+    </message>
+    <message>
+        <source>its lattice does not fit its region</source>
+        <translation>das Raster passt nicht zum Bereich</translation>
+    </message>
+    <message>
+        <source>its lattice is not possible</source>
+        <translation>das Raster ist unmöglich</translation>
+    </message>
+    <message>
+        <source>its part '{0}' cannot be read: {1}</source>
+        <translation>das Teil '{0}' kann nicht gelesen werden: {1}</translation>
+    </message>
+    <message>
+        <source>its part '{0}' is damaged: it is longer than it says</source>
+        <translation>das Teil '{0}' ist beschädigt: es ist länger als angegeben</translation>
+    </message>
+    <message>
+        <source>its part '{0}' is damaged: {1}</source>
+        <translation>das Teil '{0}' ist beschädigt: {1}</translation>
+    </message>
+    <message>
+        <source>its part '{0}' is encrypted</source>
+        <translation>das Teil '{0}' ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>its region is not finite</source>
+        <translation>der Bereich ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>its region or scale is not a number</source>
+        <translation>der Bereich oder der Maßstab ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its samples span {0} x {1} x {2}, too many for a file of its size</source>
+        <translation>die Messpunkte umfassen {0} x {1} x {2}, zu viele für eine Datei dieser Größe</translation>
+    </message>
+    <message>
+        <source>its size is wrong</source>
+        <translation>die Größe ist falsch</translation>
+    </message>
+    <message>
+        <source>its surface crosses or touches itself</source>
+        <translation>seine Oberfläche schneidet oder berührt sich selbst</translation>
+    </message>
+    <message>
+        <source>its surface has holes</source>
+        <translation>seine Oberfläche hat Löcher</translation>
+    </message>
+    <message>
+        <source>joining solids</source>
+        <translation>Körper werden verknüpft</translation>
+    </message>
+    <message>
+        <source>knows no form '{0}'; there are i, d4, u8 and u16</source>
+        <translation>kennt keine Form '{0}'; es gibt i, d4, u8 und u16</translation>
+    </message>
+    <message>
+        <source>lacks</source>
+        <translation>fehlen</translation>
+    </message>
+    <message>
+        <source>least must be above 0 and at most 1</source>
+        <translation>least muss über 0 liegen und darf höchstens 1 sein</translation>
+    </message>
+    <message>
+        <source>limits are [from, to]</source>
+        <translation>limits sind [von, bis]</translation>
+    </message>
+    <message>
+        <source>line {0}</source>
+        <translation>Zeile {0}</translation>
+    </message>
+    <message>
+        <source>looking at slices</source>
+        <translation>Schichtbilder werden geprüft</translation>
+    </message>
+    <message>
+        <source>looking closer</source>
+        <translation>Zellen werden verfeinert</translation>
+    </message>
+    <message>
+        <source>looking for thin parts</source>
+        <translation>dünne Teile werden gesucht</translation>
+    </message>
+    <message>
+        <source>looking for valleys</source>
+        <translation>Kehlen werden gesucht</translation>
+    </message>
+    <message>
+        <source>macros (IF, WHILE, GOTO) are not carried out</source>
+        <translation>Makros (IF, WHILE, GOTO) werden nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>may lack</source>
+        <translation>fehlen möglicherweise</translation>
+    </message>
+    <message>
+        <source>measuring the solid</source>
+        <translation>Körper wird vermessen</translation>
+    </message>
+    <message>
+        <source>medial axis</source>
+        <translation>Mittelachse</translation>
+    </message>
+    <message>
+        <source>mesh files hold at most 2^31 vertices and triangles</source>
+        <translation>Netzdateien fassen höchstens 2^31 Eckpunkte und Dreiecke</translation>
+    </message>
+    <message>
+        <source>milling needs finite bounds with a size along x, y and z</source>
+        <translation>Fräsen braucht endliche Grenzen mit einer Ausdehnung in x, y und z</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>models</source>
+        <translation>models</translation>
+    </message>
+    <message>
+        <source>modes cannot be restored while cutter compensation is on</source>
+        <translation>bei aktiver Fräserradiuskorrektur können modale Zustände nicht wiederhergestellt werden</translation>
+    </message>
+    <message>
+        <source>more bricks than its box</source>
+        <translation>mehr Teilquader als im Quader</translation>
+    </message>
+    <message>
+        <source>more levels than the volume can be halved</source>
+        <translation>mehr Stufen, als sich das Volumen halbieren lässt</translation>
+    </message>
+    <message>
+        <source>more than 10 IF within each other</source>
+        <translation>mehr als 10 ineinander geschachtelte IF</translation>
+    </message>
+    <message>
+        <source>more than 100000 characters</source>
+        <translation>mehr als 100000 Zeichen</translation>
+    </message>
+    <message>
+        <source>more than 100000 pages</source>
+        <translation>mehr als 100000 Seiten</translation>
+    </message>
+    <message>
+        <source>more than 30 arguments</source>
+        <translation>mehr als 30 Argumente</translation>
+    </message>
+    <message>
+        <source>more than {0} GOSUB within each other</source>
+        <translation>mehr als {0} ineinander geschachtelte GOSUB</translation>
+    </message>
+    <message>
+        <source>more than {0} blocks: this program seems to have no end</source>
+        <translation>mehr als {0} Sätze: dieses Programm scheint kein Ende zu haben</translation>
+    </message>
+    <message>
+        <source>more than {0} brackets within brackets</source>
+        <translation>mehr als {0} ineinander geschachtelte Klammern</translation>
+    </message>
+    <message>
+        <source>more than {0} control points</source>
+        <translation>mehr als {0} Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>more than {0} loops and conditions within each other</source>
+        <translation>mehr als {0} ineinander geschachtelte Schleifen und Bedingungen</translation>
+    </message>
+    <message>
+        <source>more than {0} operations</source>
+        <translation>mehr als {0} Rechenschritte</translation>
+    </message>
+    <message>
+        <source>more than {0} parameters with names</source>
+        <translation>mehr als {0} Parameter mit Namen</translation>
+    </message>
+    <message>
+        <source>more than {0} pecks</source>
+        <translation>mehr als {0} Bohrhübe</translation>
+    </message>
+    <message>
+        <source>more than {0} subroutines within each other</source>
+        <translation>mehr als {0} ineinander geschachtelte Unterprogramme</translation>
+    </message>
+    <message>
+        <source>more than {0} variables</source>
+        <translation>mehr als {0} Variablen</translation>
+    </message>
+    <message>
+        <source>most must be from 1 to 100</source>
+        <translation>most muss zwischen 1 und 100 liegen</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a positive number of mm</source>
+        <translation>muss eine positive Zahl in mm sein</translation>
+    </message>
+    <message>
+        <source>must be above 0</source>
+        <translation>muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most the tool's diameter</source>
+        <translation>muss über 0 liegen und darf höchstens der Durchmesser des Werkzeugs sein</translation>
+    </message>
+    <message>
+        <source>must be above 0 and below the tool's corner radius of {0} mm</source>
+        <translation>muss über 0 und unter dem Eckenradius des Werkzeugs von {0} mm liegen</translation>
+    </message>
+    <message>
+        <source>must be above 0 mm</source>
+        <translation>muss über 0 mm liegen</translation>
+    </message>
+    <message>
+        <source>must be above the centre, at a finite place</source>
+        <translation>muss an einem endlichen Ort über der Mitte liegen</translation>
+    </message>
+    <message>
+        <source>must be finite</source>
+        <translation>muss endlich sein</translation>
+    </message>
+    <message>
+        <source>must be finite and have a positive size</source>
+        <translation>muss endlich sein und eine positive Ausdehnung haben</translation>
+    </message>
+    <message>
+        <source>must be finite to measure a solid</source>
+        <translation>muss endlich sein, um einen Körper zu vermessen</translation>
+    </message>
+    <message>
+        <source>must be from 0 to 2 radians (115 degrees)</source>
+        <translation>muss zwischen 0 und 2 Radiant (115 Grad) liegen</translation>
+    </message>
+    <message>
+        <source>must be three positive numbers of mm</source>
+        <translation>verlangt sind drei positive Zahlen in mm</translation>
+    </message>
+    <message>
+        <source>must be {0}, not {1}</source>
+        <translation>muss {0} sein, nicht {1}</translation>
+    </message>
+    <message>
+        <source>must have two points along each axis or more, and a spacing and reach above 0</source>
+        <translation>muss entlang jeder Achse mindestens zwei Punkte haben, und Abstand und Reichweite müssen über 0 liegen</translation>
+    </message>
+    <message>
+        <source>names no 3D model in _rels/.rels</source>
+        <translation>nennt kein 3D-Modell in _rels/.rels</translation>
+    </message>
+    <message>
+        <source>names of components</source>
+        <translation>Namen von Komponenten</translation>
+    </message>
+    <message>
+        <source>names of objects</source>
+        <translation>Namen von Objekten</translation>
+    </message>
+    <message>
+        <source>needs a V with an angle between 0 and 180 degrees</source>
+        <translation>braucht einen V-Fräser mit einem Winkel zwischen 0 und 180 Grad</translation>
+    </message>
+    <message>
+        <source>needs a ball, bull-nose or tapered tool</source>
+        <translation>braucht einen Kugelfräser, Torusfräser oder konischen Kugelfräser</translation>
+    </message>
+    <message>
+        <source>needs a diameter above 0</source>
+        <translation>braucht einen Durchmesser über 0</translation>
+    </message>
+    <message>
+        <source>needs a number for {0}</source>
+        <translation>braucht eine Zahl für {0}</translation>
+    </message>
+    <message>
+        <source>needs a region and a cell that are finite and have a size</source>
+        <translation>braucht einen Bereich und eine Zelle, die endlich sind und eine Ausdehnung haben</translation>
+    </message>
+    <message>
+        <source>needs a solid</source>
+        <translation>braucht einen Körper</translation>
+    </message>
+    <message>
+        <source>needs a tool of shape v</source>
+        <translation>braucht ein Werkzeug der Form v</translation>
+    </message>
+    <message>
+        <source>needs a tool with a diameter</source>
+        <translation>braucht ein Werkzeug mit einem Durchmesser</translation>
+    </message>
+    <message>
+        <source>neither this set-up nor the call names a program</source>
+        <translation>weder diese Aufspannung noch der Aufruf nennt ein Programm</translation>
+    </message>
+    <message>
+        <source>no chip load is known for '{0}', only for {1}{2}</source>
+        <translation>für '{0}' ist kein Zahnvorschub bekannt, nur für {1}{2}</translation>
+    </message>
+    <message>
+        <source>no cutter has this shape</source>
+        <translation>kein Fräser hat diese Form</translation>
+    </message>
+    <message>
+        <source>no factor may be 0</source>
+        <translation>kein Faktor darf 0 sein</translation>
+    </message>
+    <message>
+        <source>no operation before this one finishes the part</source>
+        <translation>keine Operation davor schlichtet das Teil</translation>
+    </message>
+    <message>
+        <source>no slot is between {0} and {1} mm wide</source>
+        <translation>keine Nut ist zwischen {0} und {1} mm breit</translation>
+    </message>
+    <message>
+        <source>no speed by VS: 20 mm/s is taken</source>
+        <translation>keine Geschwindigkeit durch VS: 20 mm/s werden angenommen</translation>
+    </message>
+    <message>
+        <source>no speed for a rotary axis: 10 degrees/s is taken</source>
+        <translation>keine Geschwindigkeit für eine Drehachse: 10 Grad/s werden angenommen</translation>
+    </message>
+    <message>
+        <source>no tool here is of the shape '{0}'</source>
+        <translation>eine Werkzeugform '{0}' gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>no tool is in the spindle; the set-up has none</source>
+        <translation>in der Spindel ist kein Werkzeug; die Aufspannung hat keines</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>not version 2.0 of kokopelli's format</source>
+        <translation>nicht Version 2.0 des Formats von kokopelli</translation>
+    </message>
+    <message>
+        <source>nothing in the block uses its {0} word</source>
+        <translation>nichts im Satz verwendet sein {0}-Wort</translation>
+    </message>
+    <message>
+        <source>nothing moved that could be shown</source>
+        <translation>es gibt keine Bewegung, die sich zeigen ließe</translation>
+    </message>
+    <message>
+        <source>one has a vertex that is not there</source>
+        <translation>eines hat einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>one number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>one or two heights</source>
+        <translation>eine oder zwei Höhen</translation>
+    </message>
+    <message>
+        <source>only a ball or a tapered ball can lean while it cuts</source>
+        <translation>nur ein Kugelfräser oder konischer Kugelfräser kann geneigt fräsen</translation>
+    </message>
+    <message>
+        <source>only a solid can be cut from other sides</source>
+        <translation>nur ein Körper lässt sich von anderen Seiten fräsen</translation>
+    </message>
+    <message>
+        <source>only a whole distance field can be saved</source>
+        <translation>nur ein ganzes Abstandsfeld lässt sich speichern</translation>
+    </message>
+    <message>
+        <source>only sampled distances, such as an .asdf file, are meshed in bricks</source>
+        <translation>nur abgetastete Abstände, etwa aus einer .asdf-Datei, werden in Teilquadern vernetzt</translation>
+    </message>
+    <message>
+        <source>opens itself: {0}{1}</source>
+        <translation>öffnet sich selbst: {0}{1}</translation>
+    </message>
+    <message>
+        <source>origin and direction must be finite, and the direction not 0</source>
+        <translation>Ursprung und Richtung müssen endlich sein, und die Richtung nicht 0</translation>
+    </message>
+    <message>
+        <source>outlines must lie within 20 m of the origin</source>
+        <translation>Umrisse dürfen höchstens 20 m vom Ursprung entfernt sein</translation>
+    </message>
+    <message>
+        <source>overhangs: this machine's head cannot go from plane to plane with the tool pointing upwards (Keeter, Algorithm 6.1)</source>
+        <translation>hängt über: der Kopf dieser Maschine kann nicht mit nach oben zeigendem Werkzeug von Ebene zu Ebene wechseln (Keeter, Algorithmus 6.1)</translation>
+    </message>
+    <message>
+        <source>pairs of x and y</source>
+        <translation>Paare von x und y</translation>
+    </message>
+    <message>
+        <source>parameter #{0} cannot be set: it follows from the machine's state</source>
+        <translation>Parameter #{0} kann nicht gesetzt werden: der Wert folgt aus dem Zustand der Maschine</translation>
+    </message>
+    <message>
+        <source>parameter #{0} would be no finite number</source>
+        <translation>Parameter #{0} wäre keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>places more than {0} components</source>
+        <translation>platziert mehr als {0} Komponenten</translation>
+    </message>
+    <message>
+        <source>places no object of type 'model', and others are not solids</source>
+        <translation>platziert kein Objekt vom Typ 'model', und andere sind keine Körper</translation>
+    </message>
+    <message>
+        <source>places nothing: its build has no item</source>
+        <translation>platziert nichts: sein Element 'build' enthält kein 'item'</translation>
+    </message>
+    <message>
+        <source>plane {0} overhangs: the tool would point upwards</source>
+        <translation>Ebene {0} hängt über: das Werkzeug müsste nach oben zeigen</translation>
+    </message>
+    <message>
+        <source>pressure_angle must be a plain number</source>
+        <translation>pressure_angle muss eine konstante Zahl sein</translation>
+    </message>
+    <message>
+        <source>programs in JavaScript (TPL) are not run</source>
+        <translation>Programme in JavaScript (TPL) werden nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>rapids are "straight" or "dog-leg"</source>
+        <translation>rapids ist "straight" oder "dog-leg"</translation>
+    </message>
+    <message>
+        <source>reading DICOM files</source>
+        <translation>DICOM-Dateien werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading DICOM headers</source>
+        <translation>DICOM-Header werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation>Netz wird gelesen</translation>
+    </message>
+    <message>
+        <source>reading the program</source>
+        <translation>Programm wird gelesen</translation>
+    </message>
+    <message>
+        <source>reading {0}</source>
+        <translation>{0} wird gelesen</translation>
+    </message>
+    <message>
+        <source>refers to an object {0} that is not there</source>
+        <translation>verweist auf ein Objekt {0}, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>refining edges</source>
+        <translation>Kanten werden verfeinert</translation>
+    </message>
+    <message>
+        <source>region and voxel must be finite, with a positive size</source>
+        <translation>Bereich und Zelle müssen endlich sein und eine positive Größe haben</translation>
+    </message>
+    <message>
+        <source>removing islands</source>
+        <translation>Inseln werden entfernt</translation>
+    </message>
+    <message>
+        <source>requires the extension '{0}', which is not read</source>
+        <translation>verlangt die Erweiterung '{0}', die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>rim is</source>
+        <translation>Rand ist</translation>
+    </message>
+    <message>
+        <source>rims are</source>
+        <translation>Ränder sind</translation>
+    </message>
+    <message>
+        <source>running {0}</source>
+        <translation>{0} läuft</translation>
+    </message>
+    <message>
+        <source>samples of an unknown type, {0}</source>
+        <translation>Messwerte von unbekanntem Typ: {0}</translation>
+    </message>
+    <message>
+        <source>samples of {0} are not read</source>
+        <translation>Messwerte vom Typ {0} werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>samples of {0} bits are not read; known are 8, 16 and 32 bits, and 64 for real numbers</source>
+        <translation>Messwerte mit {0} Bit werden nicht gelesen; bekannt sind 8, 16 und 32 Bit sowie 64 für Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>samples {0} to {1} along {2} are not two or more of the volume's 0 to {3}</source>
+        <translation>Messpunkte {0} bis {1} entlang {2}: es müssen mindestens zwei der Messpunkte 0 bis {3} des Volumens sein</translation>
+    </message>
+    <message>
+        <source>scale must be above 0</source>
+        <translation>scale muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>searching for lost parts</source>
+        <translation>verlorene Teile werden gesucht</translation>
+    </message>
+    <message>
+        <source>searching for the surface</source>
+        <translation>Oberfläche wird gesucht</translation>
+    </message>
+    <message>
+        <source>setting {0} needs a default</source>
+        <translation>die Einstellung {0} braucht eine Vorgabe</translation>
+    </message>
+    <message>
+        <source>sharpening edges</source>
+        <translation>Kanten werden geschärft</translation>
+    </message>
+    <message>
+        <source>sheet is [width, height] in mm</source>
+        <translation>sheet ist [Breite, Höhe] in mm</translation>
+    </message>
+    <message>
+        <source>slice {0} has samples of {1}, the first of {2}</source>
+        <translation>Schichtbild {0} hat Messwerte vom Typ {1}, das erste vom Typ {2}</translation>
+    </message>
+    <message>
+        <source>slice {0} has {1} x {2} pixels, the first has {3} x {4}</source>
+        <translation>Schichtbild {0} hat {1} x {2} Pixel, das erste {3} x {4}</translation>
+    </message>
+    <message>
+        <source>sorting triangles</source>
+        <translation>Dreiecke werden sortiert</translation>
+    </message>
+    <message>
+        <source>spindle is {0}; {1} turns at {2} at most</source>
+        <translation>spindle ist {0}; {1} dreht mit höchstens {2}</translation>
+    </message>
+    <message>
+        <source>splines are of the plane G17</source>
+        <translation>Splines gibt es nur in der Ebene G17</translation>
+    </message>
+    <message>
+        <source>takes at least three points, each with its x and y</source>
+        <translation>braucht mindestens drei Punkte, jeden mit x und y</translation>
+    </message>
+    <message>
+        <source>takes at least two points, each with its x and y</source>
+        <translation>braucht mindestens zwei Punkte, jeden mit x und y</translation>
+    </message>
+    <message>
+        <source>tapered ball</source>
+        <translation>konischer Kugelfräser</translation>
+    </message>
+    <message>
+        <source>tells an impossible resolution</source>
+        <translation>gibt eine unmögliche Auflösung an</translation>
+    </message>
+    <message>
+        <source>tells an impossible size</source>
+        <translation>gibt eine unmögliche Größe an</translation>
+    </message>
+    <message>
+        <source>tells distances or directions that are not possible</source>
+        <translation>gibt unmögliche Abstände oder Richtungen an</translation>
+    </message>
+    <message>
+        <source>the arc begins {0} mm from its centre and ends {1} mm from it</source>
+        <translation>der Bogen beginnt {0} mm vom Mittelpunkt entfernt und endet {1} mm davon entfernt</translation>
+    </message>
+    <message>
+        <source>the area is too large for so small a tool</source>
+        <translation>die Fläche ist zu groß für ein so kleines Werkzeug</translation>
+    </message>
+    <message>
+        <source>the argument '{0}' is given twice</source>
+        <translation>das Argument '{0}' ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>the axis must have a length</source>
+        <translation>die Achse muss eine Länge haben</translation>
+    </message>
+    <message>
+        <source>the bottom of a thread must be below its top</source>
+        <translation>die Unterkante eines Gewindes muss unter seiner Oberkante liegen</translation>
+    </message>
+    <message>
+        <source>the bottom of the cut ({0}) must be below its top ({1})</source>
+        <translation>die Unterkante des Schnitts ({0}) muss unter seiner Oberkante ({1}) liegen</translation>
+    </message>
+    <message>
+        <source>the bounds must be finite and in order</source>
+        <translation>die Grenzen müssen endlich und geordnet sein</translation>
+    </message>
+    <message>
+        <source>the checksum of a block is wrong</source>
+        <translation>die Prüfsumme eines Blocks ist falsch</translation>
+    </message>
+    <message>
+        <source>the checksum of its directory is wrong</source>
+        <translation>die Prüfsumme des Verzeichnisses ist falsch</translation>
+    </message>
+    <message>
+        <source>the checksum of its header is wrong</source>
+        <translation>die Prüfsumme des Dateikopfs ist falsch</translation>
+    </message>
+    <message>
+        <source>the control's own variables (%) are not known here</source>
+        <translation>die eigenen Variablen der Steuerung (%) sind hier unbekannt</translation>
+    </message>
+    <message>
+        <source>the curves around a cell do not close</source>
+        <translation>die Kurven um eine Zelle schließen sich nicht</translation>
+    </message>
+    <message>
+        <source>the density of sample ({0}, {1}, {2}) is not a finite number</source>
+        <translation>die Dichte am Messpunkt ({0}, {1}, {2}) ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the depth of a peck</source>
+        <translation>die Zustelltiefe je Bohrhub</translation>
+    </message>
+    <message>
+        <source>the distance field would have more than 2^27 cells</source>
+        <translation>das Abstandsfeld hätte mehr als 2^27 Zellen</translation>
+    </message>
+    <message>
+        <source>the distance field would need more memory than there is</source>
+        <translation>das Abstandsfeld bräuchte mehr Speicher, als vorhanden ist</translation>
+    </message>
+    <message>
+        <source>the dwell in seconds</source>
+        <translation>die Verweilzeit in Sekunden</translation>
+    </message>
+    <message>
+        <source>the end of the statement</source>
+        <translation>das Ende der Anweisung</translation>
+    </message>
+    <message>
+        <source>the entry arc of cutter compensation cannot be made</source>
+        <translation>der Anfahrbogen der Fräserradiuskorrektur kann nicht gebildet werden</translation>
+    </message>
+    <message>
+        <source>the entry move of cutter compensation is not longer than the tool's radius</source>
+        <translation>die Anfahrbewegung der Fräserradiuskorrektur ist nicht länger als der Werkzeugradius</translation>
+    </message>
+    <message>
+        <source>the expression ends here, but {0} follows</source>
+        <translation>der Ausdruck endet hier, aber es folgt {0}</translation>
+    </message>
+    <message>
+        <source>the expression is empty</source>
+        <translation>der Ausdruck ist leer</translation>
+    </message>
+    <message>
+        <source>the factor must be a positive number</source>
+        <translation>der Faktor muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>the file ends within subroutine {0}</source>
+        <translation>die Datei endet innerhalb des Unterprogramms {0}</translation>
+    </message>
+    <message>
+        <source>the file ends within the loop o{0}</source>
+        <translation>die Datei endet innerhalb der Schleife o{0}</translation>
+    </message>
+    <message>
+        <source>the fine parts of the surface</source>
+        <translation>die feinen Teile der Oberfläche</translation>
+    </message>
+    <message>
+        <source>the first G5 of a row needs I and J</source>
+        <translation>das erste G5 einer Folge braucht I und J</translation>
+    </message>
+    <message>
+        <source>the fixture has no size</source>
+        <translation>das Spannmittel hat keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>the height is outside of the region</source>
+        <translation>die Höhe liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the heights of a section must not fall</source>
+        <translation>die Höhen eines Querschnitts dürfen nicht abnehmen</translation>
+    </message>
+    <message>
+        <source>the holder meets material</source>
+        <translation>der Halter stößt an Material</translation>
+    </message>
+    <message>
+        <source>the job has {0} tools: say which, tool = NUMBER</source>
+        <translation>der Auftrag hat {0} Werkzeuge: mit tool = NUMMER eines wählen</translation>
+    </message>
+    <message>
+        <source>the line ends where a value should be</source>
+        <translation>Zeilenende gefunden, Wert erwartet</translation>
+    </message>
+    <message>
+        <source>the machine</source>
+        <translation>die Maschine</translation>
+    </message>
+    <message>
+        <source>the machine cannot point its tool along ({0}, {1}, {2})</source>
+        <translation>die Maschine kann ihr Werkzeug nicht in die Richtung ({0}, {1}, {2}) stellen</translation>
+    </message>
+    <message>
+        <source>the macro {0} of the control is passed over</source>
+        <translation>das Makro {0} der Steuerung wird übergangen</translation>
+    </message>
+    <message>
+        <source>the mesh</source>
+        <translation>das Netz</translation>
+    </message>
+    <message>
+        <source>the mesh of {0}</source>
+        <translation>das Netz von {0}</translation>
+    </message>
+    <message>
+        <source>the mesh would have more than 2^31 vertices</source>
+        <translation>das Netz hätte mehr als 2^31 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>the model is flat: it has no surface to finish; use profile, pocket, isolate or v_carve</source>
+        <translation>das Modell ist flach: es hat keine Oberfläche zum Schlichten; profile, pocket, isolate oder v_carve verwenden</translation>
+    </message>
+    <message>
+        <source>the module must be above 0 mm</source>
+        <translation>der Modul muss über 0 mm liegen</translation>
+    </message>
+    <message>
+        <source>the name of a part stands in quotes</source>
+        <translation>der Name eines Teils steht in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>the name {0} is given twice</source>
+        <translation>der Name {0} ist doppelt vergeben</translation>
+    </message>
+    <message>
+        <source>the normal must have a length</source>
+        <translation>die Normale muss eine Länge haben</translation>
+    </message>
+    <message>
+        <source>the number of copies must be from 1 to 10000</source>
+        <translation>die Zahl der Kopien muss zwischen 1 und 10000 liegen</translation>
+    </message>
+    <message>
+        <source>the number of pins must be even, from 2 to 1000</source>
+        <translation>die Zahl der Anschlüsse muss gerade sein, von 2 bis 1000</translation>
+    </message>
+    <message>
+        <source>the number of sides must be from 3 to 10000</source>
+        <translation>die Zahl der Seiten muss zwischen 3 und 10000 liegen</translation>
+    </message>
+    <message>
+        <source>the number of teeth must be from 3 to 10000</source>
+        <translation>die Zahl der Zähne muss zwischen 3 und 10000 liegen</translation>
+    </message>
+    <message>
+        <source>the outline {0} parts narrower than {1} mm, for example at x {2}, y {3}: give a smaller cell</source>
+        <translation>dem Umriss {0} Teile, die schmaler als {1} mm sind, zum Beispiel bei x {2}, y {3}: eine kleinere Zelle angeben</translation>
+    </message>
+    <message>
+        <source>the parenthesis opened at column {0} is not closed</source>
+        <translation>die in Spalte {0} geöffnete Klammer wird nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>the part (to x {0}, y {1}, z {2}) sticks out of the stock (to {3}, {4}, {5})</source>
+        <translation>das Teil (bis x {0}, y {1}, z {2}) ragt aus dem Rohteil heraus (bis {3}, {4}, {5})</translation>
+    </message>
+    <message>
+        <source>the part has no holes for this thread; it wants {0} mm</source>
+        <translation>das Teil hat keine Bohrungen für dieses Gewinde; nötig sind {0} mm</translation>
+    </message>
+    <message>
+        <source>the part has no outline on this side that the tool can follow</source>
+        <translation>das Teil hat auf dieser Seite keinen Umriss, dem das Werkzeug folgen kann</translation>
+    </message>
+    <message>
+        <source>the part has no round holes of at most {0} mm</source>
+        <translation>das Teil hat keine runden Bohrungen bis {0} mm</translation>
+    </message>
+    <message>
+        <source>the part is flat: give the depth to face</source>
+        <translation>das Teil ist flach: die Tiefe zum Planfräsen angeben</translation>
+    </message>
+    <message>
+        <source>the part is given: the input names none</source>
+        <translation>das Teil ist schon gegeben: input darf keines nennen</translation>
+    </message>
+    <message>
+        <source>the picture has no heights; give black and white, mm</source>
+        <translation>das Bild hat keine Höhen; black und white in mm angeben</translation>
+    </message>
+    <message>
+        <source>the picture has no physical size; give pixel (mm) or dpi</source>
+        <translation>das Bild hat keine wirkliche Größe; pixel (mm) oder dpi angeben</translation>
+    </message>
+    <message>
+        <source>the points lie on a line</source>
+        <translation>die Punkte liegen auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>the points of a profile go outwards from the axis</source>
+        <translation>die Punkte eines Profils müssen von der Achse nach außen laufen</translation>
+    </message>
+    <message>
+        <source>the polygon is too ragged, or crosses itself</source>
+        <translation>das Polygon ist zu zerklüftet oder überschneidet sich selbst</translation>
+    </message>
+    <message>
+        <source>the position cannot be asked for while cutter compensation is on</source>
+        <translation>bei aktiver Fräserradiuskorrektur kann die Position nicht abgefragt werden</translation>
+    </message>
+    <message>
+        <source>the pressure angle must be above 0 and below 68 degrees</source>
+        <translation>der Eingriffswinkel muss über 0 und unter 68 Grad liegen</translation>
+    </message>
+    <message>
+        <source>the program ends without END</source>
+        <translation>das Programm endet ohne END</translation>
+    </message>
+    <message>
+        <source>the program ends without M2 or M30</source>
+        <translation>das Programm endet ohne M2 oder M30</translation>
+    </message>
+    <message>
+        <source>the program ends without M2, M30 or a second %</source>
+        <translation>das Programm endet ohne M2, M30 oder ein zweites %</translation>
+    </message>
+    <message>
+        <source>the program is empty</source>
+        <translation>das Programm ist leer</translation>
+    </message>
+    <message>
+        <source>the program names no tool: number {0} is taken</source>
+        <translation>das Programm nennt kein Werkzeug: Nummer {0} wird verwendet</translation>
+    </message>
+    <message>
+        <source>the quotes opened here are not closed on this line</source>
+        <translation>die hier geöffneten Anführungszeichen werden in dieser Zeile nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>the radius must be above 0 mm</source>
+        <translation>der Radius muss über 0 mm liegen</translation>
+    </message>
+    <message>
+        <source>the radius {0} is too small to reach the arc's end</source>
+        <translation>der Radius {0} ist zu klein, um das Ende des Bogens zu erreichen</translation>
+    </message>
+    <message>
+        <source>the result is no finite number</source>
+        <translation>das Ergebnis ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the saved stock has a cell of {0} mm, which does not change</source>
+        <translation>das gespeicherte Rohteil hat Zellen von {0} mm; das ist nicht zu ändern</translation>
+    </message>
+    <message>
+        <source>the script could not be run: Python's module fieldfab is not there, or out of memory</source>
+        <translation>das Skript konnte nicht ausgeführt werden: das Python-Modul fieldfab fehlt, oder der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>the script still runs after {0} s; an endless loop?</source>
+        <translation>das Skript läuft nach {0} s immer noch; eine Endlosschleife?</translation>
+    </message>
+    <message>
+        <source>the script was ended by signal {0}</source>
+        <translation>das Skript wurde durch Signal {0} beendet</translation>
+    </message>
+    <message>
+        <source>the script's shape is too large</source>
+        <translation>die Form des Skripts ist zu groß</translation>
+    </message>
+    <message>
+        <source>the shank meets material</source>
+        <translation>der Schaft stößt an Material</translation>
+    </message>
+    <message>
+        <source>the slices {0} and {1} are {2} mm apart, the others {3} mm: slices are missing or twice there</source>
+        <translation>die Schichtbilder {0} und {1} liegen {2} mm auseinander, die anderen {3} mm: Schichtbilder fehlen oder sind doppelt vorhanden</translation>
+    </message>
+    <message>
+        <source>the slot around x {0}, y {1} is wider than the tool of {2} mm: its sides keep material</source>
+        <translation>die Nut um x {0}, y {1} ist breiter als das Werkzeug von {2} mm: an ihren Seiten bleibt Material stehen</translation>
+    </message>
+    <message>
+        <source>the solid has no bounds; give some</source>
+        <translation>der Körper hat keine Grenzen; Grenzen angeben</translation>
+    </message>
+    <message>
+        <source>the solid is empty; give bounds to work on a region all the same</source>
+        <translation>der Körper ist leer; Grenzen angeben, um trotzdem in einem Bereich zu arbeiten</translation>
+    </message>
+    <message>
+        <source>the solid is unbounded along {0}; give bounds x0,y0,z0,x1,y1,z1{1}</source>
+        <translation>der Körper ist entlang {0} unbegrenzt; Grenzen angeben: x0,y0,z0,x1,y1,z1{1}</translation>
+    </message>
+    <message>
+        <source>the solids touch each other</source>
+        <translation>die Körper berühren sich</translation>
+    </message>
+    <message>
+        <source>the spindle never turns while the program moves: it is taken as switched on by hand</source>
+        <translation>die Spindel dreht während des Programms nie: sie gilt als von Hand eingeschaltet</translation>
+    </message>
+    <message>
+        <source>the stock has no size: its lower corner is not below its upper one</source>
+        <translation>das Rohteil hat keine Ausdehnung: seine untere Ecke liegt nicht unter der oberen</translation>
+    </message>
+    <message>
+        <source>the stock is no higher than the part: there is nothing to face; give a depth</source>
+        <translation>das Rohteil ist nicht höher als das Teil: es gibt nichts planzufräsen; eine Tiefe angeben</translation>
+    </message>
+    <message>
+        <source>the stock lacks {0} mm of the target at ({1}, {2}, {3})</source>
+        <translation>dem Rohteil fehlen {0} mm zum Ziel bei ({1}, {2}, {3})</translation>
+    </message>
+    <message>
+        <source>the stock needs lower and upper corners, a cylinder or a model</source>
+        <translation>das Rohteil braucht eine untere und eine obere Ecke, einen Zylinder oder ein Modell</translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>die Oberfläche</translation>
+    </message>
+    <message>
+        <source>the system ended this work; it has too little memory</source>
+        <translation>das System hat diese Arbeit beendet; es hat zu wenig Speicher</translation>
+    </message>
+    <message>
+        <source>the target may have parts thinner than a cell of {0} mm at {1} places, the largest {2} mm, about ({3}, {4}, {5}): cuts into them may not be seen</source>
+        <translation>das Ziel ist womöglich an {1} Stellen dünner als eine Zelle von {0} mm, die größte {2} mm, um ({3}, {4}, {5}): Schnitte dort bleiben vielleicht unbemerkt</translation>
+    </message>
+    <message>
+        <source>the template {0} {1}</source>
+        <translation>die Vorlage {0} {1}</translation>
+    </message>
+    <message>
+        <source>the text has no result: its last statement is the solid</source>
+        <translation>der Text hat kein Ergebnis: seine letzte Anweisung ist der Körper</translation>
+    </message>
+    <message>
+        <source>the text has parts, and this is none: make it one with part(...), or give it a name</source>
+        <translation>der Text hat Teile, und dies ist keines: mit part(...) zu einem machen oder ihm einen Namen geben</translation>
+    </message>
+    <message>
+        <source>the thickness must be above 0 mm</source>
+        <translation>die Dicke muss über 0 mm liegen</translation>
+    </message>
+    <message>
+        <source>the tool leans less than asked for, or elsewhere, along {0} mm: it would touch the part</source>
+        <translation>auf {0} mm neigt sich das Werkzeug weniger als verlangt oder in eine andere Richtung: es würde das Teil berühren</translation>
+    </message>
+    <message>
+        <source>the tool meets a fixture</source>
+        <translation>das Werkzeug stößt an ein Spannmittel</translation>
+    </message>
+    <message>
+        <source>the tool of {0} mm does not fit into the hole of {1} mm</source>
+        <translation>das Werkzeug von {0} mm passt nicht in die Bohrung von {1} mm</translation>
+    </message>
+    <message>
+        <source>the tool of {0} mm fits into no pocket; the first is around x {1}, y {2}</source>
+        <translation>das Werkzeug von {0} mm passt in keine Tasche; die erste liegt um x {1}, y {2}</translation>
+    </message>
+    <message>
+        <source>the tool of {0} mm is too large for the pocket around x {1}, y {2}: it is left</source>
+        <translation>das Werkzeug von {0} mm ist zu groß für die Tasche um x {1}, y {2}: sie wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>the variable &amp;{0} has no value</source>
+        <translation>die Variable &amp;{0} hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>the workpiece has no bounds</source>
+        <translation>das Werkstück hat keine Grenzen</translation>
+    </message>
+    <message>
+        <source>the workpiece has no size</source>
+        <translation>das Werkstück hat keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>the workpiece is to be as large as the programs' paths, and no program cuts</source>
+        <translation>das Werkstück soll so groß wie die Bahnen der Programme sein, aber kein Programm schneidet</translation>
+    </message>
+    <message>
+        <source>there are no valleys that this tool touches on both sides</source>
+        <translation>es gibt keine Kehlen, die dieses Werkzeug auf beiden Seiten berührt</translation>
+    </message>
+    <message>
+        <source>there are none to make a picture of</source>
+        <translation>es gibt keine, die ein Bild ergeben</translation>
+    </message>
+    <message>
+        <source>there are two tools with number {0}</source>
+        <translation>es gibt zwei Werkzeuge mit der Nummer {0}</translation>
+    </message>
+    <message>
+        <source>there is no Field</source>
+        <translation>es gibt kein Field</translation>
+    </message>
+    <message>
+        <source>there is no G{0}</source>
+        <translation>G{0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no [[tool]] with number {0}</source>
+        <translation>es gibt kein [[tool]] mit der Nummer {0}</translation>
+    </message>
+    <message>
+        <source>there is no brick {0}, {1}, {2} of {3} x {4} x {5}</source>
+        <translation>es gibt keinen Teilquader {0}, {1}, {2} von {3} x {4} x {5}</translation>
+    </message>
+    <message>
+        <source>there is no key '{0}' here{1}</source>
+        <translation>hier gibt es keinen Schlüssel '{0}'{1}</translation>
+    </message>
+    <message>
+        <source>there is no label {0}</source>
+        <translation>die Marke {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no machine '{0}'{1} Known are {2}, or a .toml file</source>
+        <translation>es gibt keine Maschine '{0}'{1} (bekannt: {2} oder eine .toml-Datei)</translation>
+    </message>
+    <message>
+        <source>there is no operation '{0}'{1} Known are {2}</source>
+        <translation>es gibt keine Operation '{0}'{1} (bekannt: {2})</translation>
+    </message>
+    <message>
+        <source>there is no parameter #{0}: they go from #1 to #{1}</source>
+        <translation>Parameter #{0} gibt es nicht: möglich sind #1 bis #{1}</translation>
+    </message>
+    <message>
+        <source>there is no part '{0}'{1}</source>
+        <translation>es gibt kein Teil '{0}'{1}</translation>
+    </message>
+    <message>
+        <source>there is no part to write</source>
+        <translation>es gibt kein Teil zu schreiben</translation>
+    </message>
+    <message>
+        <source>there is no part {0} of {1}</source>
+        <translation>es gibt keinen Teil {0} von {1}</translation>
+    </message>
+    <message>
+        <source>there is no plane '{0}'; known are top, bottom, front, back, left, right</source>
+        <translation>es gibt keine Ebene '{0}'; bekannt sind top, bottom, front, back, left, right</translation>
+    </message>
+    <message>
+        <source>there is no program O{0}, here or in a file {1}.ngc</source>
+        <translation>es gibt kein Programm O{0}, weder hier noch in einer Datei {1}.ngc</translation>
+    </message>
+    <message>
+        <source>there is no reader for '{0}' yet; known are {1}</source>
+        <translation>'{0}' kann noch nicht gelesen werden; bekannt sind {1}</translation>
+    </message>
+    <message>
+        <source>there is no subroutine o&lt;{0}&gt;, here or in a file {1}.ngc</source>
+        <translation>es gibt kein Unterprogramm o&lt;{0}&gt;, weder hier noch in einer Datei {1}.ngc</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no surface within the bounds</source>
+        <translation>in den Grenzen liegt keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>there is no target to tell deviations from</source>
+        <translation>ohne Ziel gibt es keine Abweichungen</translation>
+    </message>
+    <message>
+        <source>there is no writer of volumes for '{0}'; known are .nrrd .mha .nii .nii.gz</source>
+        <translation>Volumen können nicht als '{0}' geschrieben werden; bekannt sind .nrrd .mha .nii .nii.gz</translation>
+    </message>
+    <message>
+        <source>there is nothing of the part at cells of {0} mm</source>
+        <translation>bei Zellen von {0} mm ist vom Teil nichts vorhanden</translation>
+    </message>
+    <message>
+        <source>there is nothing to clear</source>
+        <translation>es gibt nichts zu räumen</translation>
+    </message>
+    <message>
+        <source>this build was made without ITK and OpenVDB</source>
+        <translation>dieses Programm wurde ohne ITK und OpenVDB gebaut</translation>
+    </message>
+    <message>
+        <source>this machine cannot tilt the tool</source>
+        <translation>diese Maschine kann das Werkzeug nicht neigen</translation>
+    </message>
+    <message>
+        <source>this operation does not take one argument</source>
+        <translation>diese Operation hat nicht genau ein Argument</translation>
+    </message>
+    <message>
+        <source>this operation does not take two arguments</source>
+        <translation>diese Operation hat nicht genau zwei Argumente</translation>
+    </message>
+    <message>
+        <source>this value is not used: give it a name, or make it a part with part(...); without parts the last statement is the solid</source>
+        <translation>dieser Wert wird nicht verwendet: einen Namen geben oder mit part(...) zu einem Teil machen; ohne Teile ist die letzte Anweisung der Körper</translation>
+    </message>
+    <message>
+        <source>tip_diameter must be less than the diameter</source>
+        <translation>tip_diameter muss kleiner als der Durchmesser sein</translation>
+    </message>
+    <message>
+        <source>too many faces cross or lie in one plane</source>
+        <translation>zu viele Flächen schneiden sich oder liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>too many samples to find the pieces of the solid</source>
+        <translation>zu viele Messpunkte, um die Stücke des Körpers zu finden</translation>
+    </message>
+    <message>
+        <source>too many vertices</source>
+        <translation>zu viele Eckpunkte</translation>
+    </message>
+    <message>
+        <source>too many words: expected NAME OP ARGUMENTS</source>
+        <translation>zu viele Wörter; erwartet: NAME OP ARGUMENTS</translation>
+    </message>
+    <message>
+        <source>too much surface for one brick</source>
+        <translation>zu viel Oberfläche für einen Teilquader</translation>
+    </message>
+    <message>
+        <source>tool '{0}' has no whole number</source>
+        <translation>Werkzeug '{0}' hat keine ganzzahlige Nummer</translation>
+    </message>
+    <message>
+        <source>tool '{0}' is no table</source>
+        <translation>Werkzeug '{0}' ist keine Tabelle</translation>
+    </message>
+    <message>
+        <source>tool {0}</source>
+        <translation>Werkzeug {0}</translation>
+    </message>
+    <message>
+        <source>tool {0} has no profile</source>
+        <translation>Werkzeug {0} hat kein Profil</translation>
+    </message>
+    <message>
+        <source>tool {0} is not in the set-up, which has {1}</source>
+        <translation>Werkzeug {0} fehlt in der Aufspannung; vorhanden: {1}</translation>
+    </message>
+    <message>
+        <source>tool {0} is not in the tool table</source>
+        <translation>Werkzeug {0} steht nicht in der Werkzeugtabelle</translation>
+    </message>
+    <message>
+        <source>tool {0} needs a length (from tip to holder): {1} turns its head about a point that far away</source>
+        <translation>Werkzeug {0} braucht eine Länge (von der Spitze bis zum Halter): {1} dreht den Kopf um einen Punkt in diesem Abstand</translation>
+    </message>
+    <message>
+        <source>tool {0} needs an angle</source>
+        <translation>Werkzeug {0} braucht einen Winkel</translation>
+    </message>
+    <message>
+        <source>tool {0}: diameter and length must be above 0</source>
+        <translation>Werkzeug {0}: Durchmesser und Länge müssen über 0 liegen</translation>
+    </message>
+    <message>
+        <source>tool {0}: spheroids are not known here</source>
+        <translation>Werkzeug {0}: Sphäroide sind hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>tool {0}: there is no shape '{1}'</source>
+        <translation>Werkzeug {0}: es gibt keine Form '{1}'</translation>
+    </message>
+    <message>
+        <source>tool {0}: {1}</source>
+        <translation>Werkzeug {0}: {1}</translation>
+    </message>
+    <message>
+        <source>tracing curves</source>
+        <translation>Kurven werden verfolgt</translation>
+    </message>
+    <message>
+        <source>travel must be [x, y, z] in mm</source>
+        <translation>travel muss [x, y, z] in mm sein</translation>
+    </message>
+    <message>
+        <source>triangles are seen from infinitely far: it must be 0</source>
+        <translation>Dreiecke werden aus unendlicher Entfernung gesehen: der Wert muss 0 sein</translation>
+    </message>
+    <message>
+        <source>triangles have no bitmap; shaded, normals and height are possible</source>
+        <translation>bitmap gibt es für Dreiecke nicht; möglich sind shaded, normals und height</translation>
+    </message>
+    <message>
+        <source>two $ words in one block</source>
+        <translation>zwei $-Wörter in einem Satz</translation>
+    </message>
+    <message>
+        <source>two @ words in one block</source>
+        <translation>zwei @-Wörter in einem Satz</translation>
+    </message>
+    <message>
+        <source>two G53 in one block</source>
+        <translation>zweimal G53 in einem Satz</translation>
+    </message>
+    <message>
+        <source>two ^ words in one block</source>
+        <translation>zwei ^-Wörter in einem Satz</translation>
+    </message>
+    <message>
+        <source>two parts are called '{0}'</source>
+        <translation>zwei Teile heißen '{0}'</translation>
+    </message>
+    <message>
+        <source>two {0} words in one block</source>
+        <translation>zwei {0}-Wörter in einem Satz</translation>
+    </message>
+    <message>
+        <source>under G90.1 an arc needs {0} and {1}</source>
+        <translation>unter G90.1 braucht ein Bogen {0} und {1}</translation>
+    </message>
+    <message>
+        <source>under G93 each arc needs its F word</source>
+        <translation>unter G93 braucht jeder Bogen ein eigenes F-Wort</translation>
+    </message>
+    <message>
+        <source>under G93 each feed needs its F word, above 0</source>
+        <translation>unter G93 braucht jede Vorschubbewegung ein eigenes F-Wort über 0</translation>
+    </message>
+    <message>
+        <source>unexpected {0}</source>
+        <translation>unerwartet: {0}</translation>
+    </message>
+    <message>
+        <source>unexpected {0} after a number</source>
+        <translation>unerwartet nach einer Zahl: {0}</translation>
+    </message>
+    <message>
+        <source>unit and feed_unit must be above 0, tick not below, decimals from 0 to 9</source>
+        <translation>unit und feed_unit müssen über 0 liegen, tick nicht unter 0, decimals von 0 bis 9</translation>
+    </message>
+    <message>
+        <source>units are '{0}'; known are metric and imperial</source>
+        <translation>units ist '{0}'; bekannt sind metric und imperial</translation>
+    </message>
+    <message>
+        <source>unknown colour '{0}'; a CSS name or #rrggbb{1}</source>
+        <translation>unbekannte Farbe '{0}'; möglich sind CSS-Namen und #rrggbb{1}</translation>
+    </message>
+    <message>
+        <source>unknown function '{0}'{1}</source>
+        <translation>unbekannte Funktion '{0}'{1}</translation>
+    </message>
+    <message>
+        <source>unknown name '{0}'{1}</source>
+        <translation>unbekannter Name '{0}'{1}</translation>
+    </message>
+    <message>
+        <source>unknown name {0}</source>
+        <translation>unbekannter Name {0}</translation>
+    </message>
+    <message>
+        <source>unknown operation {0}</source>
+        <translation>unbekannte Operation {0}</translation>
+    </message>
+    <message>
+        <source>unknown type of sample: datatype '{0}' with '{1}' bits</source>
+        <translation>unbekannter Typ der Messwerte: datatype '{0}' mit '{1}' Bit</translation>
+    </message>
+    <message>
+        <source>uses {{{0}}}, which has no value</source>
+        <translation>verwendet {{{0}}}, das keinen Wert hat</translation>
+    </message>
+    <message>
+        <source>wants words in quotes</source>
+        <translation>verlangt einen Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>what comes of joining two solids is not the surface of a solid</source>
+        <translation>das Verknüpfen zweier Körper ergibt nicht die Oberfläche eines Körpers</translation>
+    </message>
+    <message>
+        <source>where the feed begins</source>
+        <translation>den Beginn des Vorschubs</translation>
+    </message>
+    <message>
+        <source>where the part is turned over, the program's zero must be the model's</source>
+        <translation>wird das Teil gewendet, muss der Nullpunkt des Programms der des Modells sein</translation>
+    </message>
+    <message>
+        <source>where the stock is a saved one, the program's zero must be the model's</source>
+        <translation>ist das Rohteil ein gespeichertes, muss der Nullpunkt des Programms der des Modells sein</translation>
+    </message>
+    <message>
+        <source>whole number</source>
+        <translation>ganze Zahl</translation>
+    </message>
+    <message>
+        <source>width and beyond are {0} mm together; the tool's radius is {1} mm</source>
+        <translation>width und beyond sind zusammen {0} mm; der Radius des Werkzeugs ist {1} mm</translation>
+    </message>
+    <message>
+        <source>works on: {0}; no stage leads there from: {1}</source>
+        <translation>verarbeitet: {0}; dorthin führt keine Stufe von: {1}</translation>
+    </message>
+    <message>
+        <source>would inflate to more than {0} bytes: {1} is the most, above {2} at most {3} times the archive</source>
+        <translation>ergäbe entpackt mehr als {0} Byte: erlaubt sind {1}, über {2} höchstens das {3}-Fache des Archivs</translation>
+    </message>
+    <message>
+        <source>writing the mesh</source>
+        <translation>Netz wird geschrieben</translation>
+    </message>
+    <message>
+        <source>x, y and z</source>
+        <translation>x, y und z</translation>
+    </message>
+    <message>
+        <source>zero is '{0}'; it must be one of model, corner, centre{1}, or a point [x, y, z]</source>
+        <translation>zero ist '{0}'; möglich sind model, corner, centre{1} oder ein Punkt [x, y, z]</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) is passed over</source>
+        <translation>{0} ({1}) wird übergangen</translation>
+    </message>
+    <message>
+        <source>{0} ** {1}: a negative number to a power that is not whole</source>
+        <translation>{0} ** {1}: negative Zahl mit nicht ganzzahligem Exponenten</translation>
+    </message>
+    <message>
+        <source>{0} and another G code both want the axis words</source>
+        <translation>{0} und ein weiterer G-Code beanspruchen beide die Achswörter</translation>
+    </message>
+    <message>
+        <source>{0} and {1} exclude each other in one block</source>
+        <translation>{0} und {1} schließen einander in einem Satz aus</translation>
+    </message>
+    <message>
+        <source>{0} and {1} in one block: the last one holds</source>
+        <translation>{0} und {1} in einem Satz: das letzte gilt</translation>
+    </message>
+    <message>
+        <source>{0} between G5.2 and G5.3</source>
+        <translation>{0} zwischen G5.2 und G5.3</translation>
+    </message>
+    <message>
+        <source>{0} bytes are no whole number of bytes for each of {1} x {2} x {3} samples; give --dims, --type and --skip</source>
+        <translation>{0} Byte ergeben keine ganze Zahl von Bytes für jeden von {1} x {2} x {3} Messwerten; --dims, --type und --skip angeben</translation>
+    </message>
+    <message>
+        <source>{0} can move {1} mm along {2}; this program needs {3} mm or more</source>
+        <translation>{0} fährt in {2} höchstens {1} mm; dieses Programm braucht mindestens {3} mm</translation>
+    </message>
+    <message>
+        <source>{0} can neither tilt its tool nor stop for turning the part</source>
+        <translation>{0} kann weder das Werkzeug neigen noch zum Drehen des Teils anhalten</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used under G93</source>
+        <translation>{0} ist unter G93 nicht möglich</translation>
+    </message>
+    <message>
+        <source>{0} cannot be used while cutter compensation is on</source>
+        <translation>{0}: bei aktiver Fräserradiuskorrektur nicht möglich</translation>
+    </message>
+    <message>
+        <source>{0} cannot tilt its tool</source>
+        <translation>{0} kann das Werkzeug nicht neigen</translation>
+    </message>
+    <message>
+        <source>{0} cannot tilt its tool: only faces can be turned up by hand</source>
+        <translation>{0} kann das Werkzeug nicht neigen: von Hand lassen sich nur ganze Seiten nach oben drehen</translation>
+    </message>
+    <message>
+        <source>{0} cells along a side</source>
+        <translation>{0} Zellen entlang einer Seite</translation>
+    </message>
+    <message>
+        <source>{0} cells along an axis</source>
+        <translation>{0} Zellen entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>{0} densities for {1} x {2} x {3} samples</source>
+        <translation>{0} Dichten für {1} x {2} x {3} Messpunkte</translation>
+    </message>
+    <message>
+        <source>{0} dimensions; a volume has three</source>
+        <translation>{0} Dimensionen; ein Volumen hat drei</translation>
+    </message>
+    <message>
+        <source>{0} does not define o&lt;{1}&gt; sub</source>
+        <translation>{0} definiert o&lt;{1}&gt; sub nicht</translation>
+    </message>
+    <message>
+        <source>{0} does not run on this processor</source>
+        <translation>{0} läuft auf diesem Prozessor nicht</translation>
+    </message>
+    <message>
+        <source>{0} draws or changes where is drawn, but is not known here</source>
+        <translation>{0} zeichnet oder ändert, wo gezeichnet wird, ist hier aber unbekannt</translation>
+    </message>
+    <message>
+        <source>{0} for {1} vertices</source>
+        <translation>{0} für {1} Eckpunkte</translation>
+    </message>
+    <message>
+        <source>{0} found where a whole number should be</source>
+        <translation>{0} gefunden, ganze Zahl erwartet</translation>
+    </message>
+    <message>
+        <source>{0} has more parameters than axes</source>
+        <translation>{0} hat mehr Parameter als Achsen</translation>
+    </message>
+    <message>
+        <source>{0} has no defaults for '{1}'{2}{3}</source>
+        <translation>{0} hat keine Vorgaben für '{1}'{2}{3}</translation>
+    </message>
+    <message>
+        <source>{0} has no tool {1}</source>
+        <translation>{0} hat kein Werkzeug {1}</translation>
+    </message>
+    <message>
+        <source>{0} has too few numbers</source>
+        <translation>{0} hat zu wenige Zahlen</translation>
+    </message>
+    <message>
+        <source>{0} in a block that has no use for it is passed over</source>
+        <translation>{0} in einem Satz, der es nicht verwendet, wird übergangen</translation>
+    </message>
+    <message>
+        <source>{0} in a name: this is not a .vm program</source>
+        <translation>{0} in einem Namen: dies ist kein .vm-Programm</translation>
+    </message>
+    <message>
+        <source>{0} in an arc of another plane</source>
+        <translation>{0} in einem Bogen einer anderen Ebene</translation>
+    </message>
+    <message>
+        <source>{0} is '{1}': a number with a unit is wanted</source>
+        <translation>{0} ist '{1}': erwartet wird eine Zahl mit Einheit</translation>
+    </message>
+    <message>
+        <source>{0} is '{1}'; it must be one of {2}{3}</source>
+        <translation>{0} ist '{1}'; möglich sind {2}{3}</translation>
+    </message>
+    <message>
+        <source>{0} is [x, y, z] and up to six axes more</source>
+        <translation>{0} ist [x, y, z] und bis zu sechs weitere Achsen</translation>
+    </message>
+    <message>
+        <source>{0} is not a finite number</source>
+        <translation>{0} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is not a number</source>
+        <translation>{0} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is not a positive number</source>
+        <translation>{0} ist keine positive Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is not a positive number of mm</source>
+        <translation>{0} ist keine positive Zahl in mm</translation>
+    </message>
+    <message>
+        <source>{0} is not a power of two of at least {1}</source>
+        <translation>{0} ist keine Zweierpotenz ab {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not known here</source>
+        <translation>{0} ist hier unbekannt</translation>
+    </message>
+    <message>
+        <source>{0} is open, and lids cannot close it: what is inside is found by winding numbers, which takes long</source>
+        <translation>{0} ist offen und lässt sich nicht mit Deckeln schließen: was innen liegt, wird über Windungszahlen bestimmt, und das dauert lange</translation>
+    </message>
+    <message>
+        <source>{0} is open: {1} {2} closed by lids of {3} mm2</source>
+        <translation>{0} ist offen: {1} {2} mit Deckeln von {3} mm2 geschlossen</translation>
+    </message>
+    <message>
+        <source>{0} is outside of the densities, which go from {1} to {2}</source>
+        <translation>{0} liegt außerhalb der Dichten, die von {1} bis {2} reichen</translation>
+    </message>
+    <message>
+        <source>{0} is passed over</source>
+        <translation>{0} wird übergangen</translation>
+    </message>
+    <message>
+        <source>{0} is too large</source>
+        <translation>{0} ist zu groß</translation>
+    </message>
+    <message>
+        <source>{0} is too large for a number in single precision</source>
+        <translation>{0} ist zu groß für eine Zahl einfacher Genauigkeit</translation>
+    </message>
+    <message>
+        <source>{0} knows no places below 0; this program goes to x {1}, y {2}: set zero = "corner" for the input, or xmin and ymin</source>
+        <translation>{0} kennt keine Positionen unter 0; dieses Programm fährt bis x {1}, y {2}: zero = "corner" für die Eingabe setzen, oder xmin und ymin</translation>
+    </message>
+    <message>
+        <source>{0} levels; from 1 to {1} are possible</source>
+        <translation>{0} Stufen; möglich sind 1 bis {1}</translation>
+    </message>
+    <message>
+        <source>{0} may only stand at a block's beginning</source>
+        <translation>{0} darf nur am Satzanfang stehen</translation>
+    </message>
+    <message>
+        <source>{0} million bricks; take larger cells</source>
+        <translation>{0} Millionen Teilquader; größere Zellen verwenden</translation>
+    </message>
+    <message>
+        <source>{0} mm are left over the target at ({1}, {2}, {3})</source>
+        <translation>{0} mm bleiben über dem Ziel stehen bei ({1}, {2}, {3})</translation>
+    </message>
+    <message>
+        <source>{0} mm divides the region into {1} cells a side; at most 2^24 are possible</source>
+        <translation>{0} mm teilt den Bereich in {1} Zellen je Seite; möglich sind höchstens 2^24</translation>
+    </message>
+    <message>
+        <source>{0} mm divides the region into {1} cells a side; at most {2} are possible</source>
+        <translation>{0} mm teilt den Bereich in {1} Zellen je Seite; möglich sind höchstens {2}</translation>
+    </message>
+    <message>
+        <source>{0} mm is too fine for coordinates of {1} mm in single precision</source>
+        <translation>{0} mm ist zu fein für Koordinaten von {1} mm in einfacher Genauigkeit</translation>
+    </message>
+    <message>
+        <source>{0} mm of the paths are left out: shank or holder would touch the part however the tool leans</source>
+        <translation>{0} mm der Bahnen sind ausgelassen: Schaft oder Halter würden das Teil bei jeder Neigung berühren</translation>
+    </message>
+    <message>
+        <source>{0} moves X, Y and Z only</source>
+        <translation>{0} bewegt nur X, Y und Z</translation>
+    </message>
+    <message>
+        <source>{0} moves the machine, but is not known here</source>
+        <translation>{0} bewegt die Maschine, ist hier aber unbekannt</translation>
+    </message>
+    <message>
+        <source>{0} must be a list of lists of numbers</source>
+        <translation>{0} muss eine Liste von Zahlenlisten sein</translation>
+    </message>
+    <message>
+        <source>{0} must be a list of numbers</source>
+        <translation>{0} muss eine Liste von Zahlen sein</translation>
+    </message>
+    <message>
+        <source>{0} must be a list of tables: [[{0}]]</source>
+        <translation>{0} muss eine Liste von Tabellen sein: [[{0}]]</translation>
+    </message>
+    <message>
+        <source>{0} must be a list of texts</source>
+        <translation>{0} muss eine Liste von Texten sein</translation>
+    </message>
+    <message>
+        <source>{0} must be a table: [{0}]</source>
+        <translation>{0} muss eine Tabelle sein: [{0}]</translation>
+    </message>
+    <message>
+        <source>{0} must be a value, not a table or a date</source>
+        <translation>{0} muss ein Wert sein, keine Tabelle und kein Datum</translation>
+    </message>
+    <message>
+        <source>{0} must be {1}</source>
+        <translation>{0} muss {1} sein</translation>
+    </message>
+    <message>
+        <source>{0} must not be negative</source>
+        <translation>{0} darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>{0} needs D, the tool's diameter</source>
+        <translation>{0} braucht D, den Werkzeugdurchmesser</translation>
+    </message>
+    <message>
+        <source>{0} needs S</source>
+        <translation>{0} braucht S</translation>
+    </message>
+    <message>
+        <source>{0} needs a condition in brackets</source>
+        <translation>{0} braucht eine Bedingung in Klammern</translation>
+    </message>
+    <message>
+        <source>{0} needs a spindle that turns {1}</source>
+        <translation>{0} braucht eine Spindel, die sich {1} dreht</translation>
+    </message>
+    <message>
+        <source>{0} needs axis words</source>
+        <translation>{0} braucht Achswörter</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}</source>
+        <translation>{0} braucht: {1}</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} numbers</source>
+        <translation>{0} braucht {1} Zahlen</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}, the hole's bottom</source>
+        <translation>{0} braucht {1}, den Grund der Bohrung</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}, {2}</source>
+        <translation>{0} braucht {1}, {2}</translation>
+    </message>
+    <message>
+        <source>{0} numbers a pixel; one is wanted</source>
+        <translation>{0} Zahlen je Pixel; verlangt ist eine</translation>
+    </message>
+    <message>
+        <source>{0} numbers a sample; one is wanted</source>
+        <translation>{0} Zahlen je Messpunkt; verlangt ist eine</translation>
+    </message>
+    <message>
+        <source>{0} o{1} has no end</source>
+        <translation>{0} o{1} hat kein Ende</translation>
+    </message>
+    <message>
+        <source>{0} o{1} outside of such a loop</source>
+        <translation>{0} o{1} außerhalb einer solchen Schleife</translation>
+    </message>
+    <message>
+        <source>{0} o{1} where no subroutine was called</source>
+        <translation>{0} o{1}, ohne dass ein Unterprogramm aufgerufen wurde</translation>
+    </message>
+    <message>
+        <source>{0} o{1} where none has begun</source>
+        <translation>{0} o{1} ohne zugehörigen Anfang</translation>
+    </message>
+    <message>
+        <source>{0} parts do not fit on a sheet of {1} x {2} mm</source>
+        <translation>{0} Teile passen nicht auf eine Platte von {1} x {2} mm</translation>
+    </message>
+    <message>
+        <source>{0} pixels; from 1 to 16384 are possible</source>
+        <translation>{0} Pixel; möglich sind 1 bis 16384</translation>
+    </message>
+    <message>
+        <source>{0} pixels; from 16 to 16384 are possible</source>
+        <translation>{0} Pixel; möglich sind 16 bis 16384</translation>
+    </message>
+    <message>
+        <source>{0} repeats</source>
+        <translation>{0} Wiederholungen</translation>
+    </message>
+    <message>
+        <source>{0} samples along an axis; a solid needs two</source>
+        <translation>{0} Messpunkte entlang einer Achse; ein Körper braucht zwei</translation>
+    </message>
+    <message>
+        <source>{0} samples; from 1 to 4 are possible</source>
+        <translation>{0} Abtastpunkte; möglich sind 1 bis 4</translation>
+    </message>
+    <message>
+        <source>{0} samples; use larger cells</source>
+        <translation>{0} Abtastpunkte; größere Zellen verwenden</translation>
+    </message>
+    <message>
+        <source>{0} takes a {1}: it has no operations</source>
+        <translation>{0} erwartet {1}: hier gibt es keine Operationen</translation>
+    </message>
+    <message>
+        <source>{0} takes a {1}: the input must be a solid</source>
+        <translation>{0} erwartet {1}: die Eingabe muss ein Körper sein</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} argument{2}, found {3}</source>
+        <translation>{0}: Argument{2}zahl {1}, gefunden: {3}</translation>
+    </message>
+    <message>
+        <source>{0} values for {1} vertices</source>
+        <translation>{0} Werte für {1} Eckpunkte</translation>
+    </message>
+    <message>
+        <source>{0} while G68 is in force</source>
+        <translation>{0} bei aktivem G68</translation>
+    </message>
+    <message>
+        <source>{0} while the spindle stands still</source>
+        <translation>{0} bei stehender Spindel</translation>
+    </message>
+    <message>
+        <source>{0} with L{1}: repeats are 1 or more</source>
+        <translation>{0} mit L{1}: mindestens 1 Wiederholung ist nötig</translation>
+    </message>
+    <message>
+        <source>{0} with Q{1}: pecks are above 0</source>
+        <translation>{0} mit Q{1}: die Zustelltiefe muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>{0} with R below the hole's bottom</source>
+        <translation>{0} mit R unter dem Grund der Bohrung</translation>
+    </message>
+    <message>
+        <source>{0} with a dwell of {1} seconds</source>
+        <translation>{0} mit unzulässiger Verweilzeit von {1} Sekunden</translation>
+    </message>
+    <message>
+        <source>{0} with a speed of {1}</source>
+        <translation>{0} mit unzulässiger Geschwindigkeit {1}</translation>
+    </message>
+    <message>
+        <source>{0} would need {1} GB of memory, {2} GB are free</source>
+        <translation>für {0} wären {1} GB Speicher nötig, frei sind {2} GB</translation>
+    </message>
+    <message>
+        <source>{0} x {1} x {2} samples are more than there can be</source>
+        <translation>{0} x {1} x {2} Messpunkte sind mehr als möglich</translation>
+    </message>
+    <message>
+        <source>{0} x {1} x {2} samples; a solid needs two along each axis</source>
+        <translation>{0} x {1} x {2} Messpunkte; ein Körper braucht zwei entlang jeder Achse</translation>
+    </message>
+    <message>
+        <source>{0}: left out: {1}</source>
+        <translation>{0}: ausgelassen: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: left out: {1} of another type than 'model'</source>
+        <translation>{0}: ausgelassen: {1} von anderem Typ als 'model'</translation>
+    </message>
+    <message>
+        <source>{0}: left out: {1} that the build does not place</source>
+        <translation>{0}: ausgelassen, da von 'build' nicht platziert: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: nothing of it is left</source>
+        <translation>{0}: davon bleibt nichts übrig</translation>
+    </message>
+    <message>
+        <source>{0}: programs in JavaScript (TPL) are not run</source>
+        <translation>{0}: Programme in JavaScript (TPL) werden nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>{0}: the holder of tool {1} meets material at x {2}, y {3}, z {4} of the tip; the tool reaches {5} mm out of it</source>
+        <translation>{0}: der Halter von Werkzeug {1} stößt an Material, wenn die Spitze bei x {2}, y {3}, z {4} steht; das Werkzeug ragt {5} mm aus ihm heraus</translation>
+    </message>
+    <message>
+        <source>{0}: the solid is empty</source>
+        <translation>{0}: der Körper ist leer</translation>
+    </message>
+    <message>
+        <source>{0}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]</source>
+        <translation>{0}: der Körper ist unbegrenzt; bounds = [x0, y0, z0, x1, y1, z1] angeben</translation>
+    </message>
+    <message>
+        <source>{0}: there is nothing left to cut</source>
+        <translation>{0}: es gibt nichts mehr zu fräsen</translation>
+    </message>
+    <message>
+        <source>{0}: tool {1} is too short with flutes of {2} mm: along {3} mm of its way it stays up to {4} mm higher than planned; {5} mm3 are left, between ({6}, {7}, {8}) and ({9}, {10}, {11})</source>
+        <translation>{0}: Werkzeug {1} ist mit Schneiden von {2} mm zu kurz: auf {3} mm seines Wegs bleibt es bis zu {4} mm höher als geplant; {5} mm3 bleiben stehen, zwischen ({6}, {7}, {8}) und ({9}, {10}, {11})</translation>
+    </message>
+</context>
+<context>
     <name>Workbench</name>
     <message>
         <source>CAM</source>

@@ -3,6 +3,8 @@
 translations, and makes the .qm files that FreeCAD reads. A new language begins as an empty file: fieldfab_fr.ts.
 
     PYTHONPATH=build/release/python /usr/bin/python3 update.py     (the kernel is asked for its own texts)
+
+The templates of the kernel's messages are found in its sources (messages.py) and listed in messages.txt.
 """
 
 import ast
@@ -14,7 +16,10 @@ import xml.etree.ElementTree as xml
 from xml.sax.saxutils import escape
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+from messages import of_sources  # noqa: E402
 PACKAGE = HERE.parents[1] / "fieldfab_workbench"
+MESSAGES = HERE / "messages.txt"  # the templates that the workbench matches messages with
 PREFERENCES = HERE.parent / "preferences.ui"
 # The calls that give an object a property: of the texts among their arguments, which are its name and its description.
 PROPERTY_CALLS = {"add": (1, 3), "addProperty": (1, 3), "add_choice": (0, 2), "_add_choice": (0, 2),
@@ -31,6 +36,7 @@ def collected():
     context = xml.parse(PREFERENCES).getroot()
     found.update(dict.fromkeys((context.findtext("class"), text.text) for text in context.iter("string")))
     found.update(dict.fromkeys(_of_kernel()))
+    found.update(dict.fromkeys(("Kernel: message", template) for template in of_sources(HERE.parents[2])))
     return sorted(found, key=lambda each: each[0])
 
 
@@ -105,6 +111,8 @@ def written(language, wanted, known):
 def main():
     tool = shutil.which("lrelease") or "/usr/lib/qt5/bin/lrelease"
     wanted, missing = collected(), 0
+    MESSAGES.write_text("".join(f"{text}\n" for context, text in wanted if context == "Kernel: message"),
+                        encoding="utf-8")
     for path in sorted(HERE.glob("fieldfab_*.ts")):
         known = translations(path)
         path.write_text(written(path.stem.split("_", 1)[1], wanted, known), encoding="utf-8")

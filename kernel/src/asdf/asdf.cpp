@@ -210,8 +210,8 @@ void Asdf::restrict_all(std::span<const Box> boxes, Purpose /*purpose*/, std::sp
   for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = {interval(boxes[i]), subtree(boxes[i])};
 }
 
-FieldPtr Asdf::subtree(const Box& box) const {
-  if (!box.lower.allFinite() || !box.upper.allFinite()) return shared_from_this();
+RestrictedField Asdf::subtree(const Box& box) const {
+  if (!box.lower.allFinite() || !box.upper.allFinite()) return *this;
   constexpr double slack = 1e-3;
   const std::array<double, 3> low = lattice_point(region_, lattice_, box.lower),
                               high = lattice_point(region_, lattice_, box.upper);
@@ -232,7 +232,7 @@ FieldPtr Asdf::subtree(const Box& box) const {
     root = word.first_child() + number;
     covered = covered.child(word.axes(), number);
   }
-  if (root == root_) return shared_from_this();
+  if (root == root_) return *this;
   auto part = std::shared_ptr<Asdf>(new Asdf(*this));
   part->root_ = root;
   part->first_ = covered.first;

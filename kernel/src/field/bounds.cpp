@@ -34,7 +34,8 @@ class RestrictedSuspects {
  public:
   struct Suspect {
     Box box;
-    Restriction inside;
+    Interval range;
+    FieldPtr field;
     std::size_t cost;  // of the Field that was restricted
   };
 
@@ -66,15 +67,16 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
   const Vec3 size = within.size();
   RestrictedSuspects suspects;
-  suspects.push({reach_of(within), 0}, {within, field->restricted(within, Purpose::occupancy), field->cost()});
+  Restriction whole_field = field->restricted(within, Purpose::occupancy);
+  suspects.push({reach_of(within), 0}, {within, whole_field.range, std::move(whole_field.field), field->cost()});
   for (std::size_t work = 0; !suspects.empty();) {
     progress.check();
     const auto [place, next] = suspects.pop();
     work += 10 * next.cost + 1000;
-    if (holds_nothing(next.inside.range)) continue;
+    if (holds_nothing(next.range)) continue;
     reach = place.reach;
     const Vec3 left = next.box.size();
-    if (next.inside.range.inside() || left[axis] <= size[axis] / 512 || work >= most_work) return true;
+    if (next.range.inside() || left[axis] <= size[axis] / 512 || work >= most_work) return true;
     int longest = axis;
     for (int other = 0; other < 3; ++other)
       if (!whole[other] && left[other] * size[longest] > left[longest] * size[other]) longest = other;
@@ -82,10 +84,10 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
     std::array<Box, 2> halves{next.box, next.box};
     halves[0].upper[longest] = halves[1].lower[longest] = next.box.centre()[longest];
     std::array<Restriction, 2> inside;
-    next.inside.field->restrict_all(halves, Purpose::occupancy, inside);
+    next.field->restrict_all(halves, Purpose::occupancy, inside);
     for (std::size_t half = 0; half < 2; ++half)
       suspects.push({reach_of(halves[half]), place.depth + 1},
-                    {halves[half], std::move(inside[half]), next.inside.field->cost()});
+                    {halves[half], inside[half].range, std::move(inside[half].field), next.field->cost()});
   }
   return false;
 }

@@ -7,7 +7,7 @@
 namespace fieldfab {
 
 void Field::restrict_all(std::span<const Box> boxes, Purpose /*purpose*/, std::span<Restriction> out) const {
-  for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = {interval(boxes[i]), shared_from_this()};
+  for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = {interval(boxes[i]), *this};
 }
 
 void Field::slopes(const Box& /*box*/, std::span<const Vec3> directions, std::span<Interval> out) const noexcept {

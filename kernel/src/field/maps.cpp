@@ -44,8 +44,12 @@ class Moved : public Field {
     std::vector<Box> inner;
     for (const Box& box : boxes) inner.push_back(map_.box(box));
     a_->restrict_all(inner, purpose, out);
-    for (Restriction& here : out.first(boxes.size()))
-      here.field = here.field == a_ ? shared_from_this() : over(std::move(here.field));
+    for (Restriction& here : out.first(boxes.size())) {
+      if (here.field == a_)
+        here.field = *this;
+      else
+        here.field = over(std::move(here.field));
+    }
   }
   [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
   [[nodiscard]] bool smooth() const noexcept override { return a_->smooth(); }
@@ -272,14 +276,15 @@ class Mapped final : public Field {
       Restriction& here = out[i];
       const Interval known = inner_interval(ranges(i), here.range);
       // A coordinate may be NaN, and no box contains NaN.
-      if (known.maybe_nan && !here.range.maybe_nan) here.field = a_;
+      if (known.maybe_nan && !here.range.maybe_nan) here.field = *a_;
       bool same = here.field == a_;
       for (std::size_t axis = 0; axis < 3; ++axis) same = same && coordinate[axis][i].field == coordinate_[axis];
       here.range = known;
-      here.field = same
-                       ? shared_from_this()
-                       : std::make_shared<Mapped>(std::move(here.field), std::move(coordinate[0][i].field),
-                                                  std::move(coordinate[1][i].field), std::move(coordinate[2][i].field));
+      if (same)
+        here.field = *this;
+      else
+        here.field = std::make_shared<Mapped>(std::move(here.field), std::move(coordinate[0][i].field),
+                                              std::move(coordinate[1][i].field), std::move(coordinate[2][i].field));
     }
   }
   [[nodiscard]] bool smooth() const noexcept override {

@@ -223,7 +223,7 @@ class Combined final : public Field {
     if (!a.range.maybe_nan && !b.range.maybe_nan) only = rule_.decides(a.range, b.range);
     if (by_sign && only == Only::both) only = rule_.decides_sign(a.range, b.range);
     if (only != Only::both) return {range, only == Only::first ? a.field : b.field};
-    if (a.field == a_ && b.field == b_) return {range, shared_from_this()};
+    if (a.field == a_ && b.field == b_) return {range, *this};
     return {range, std::make_shared<Combined>(std::move(a.field), std::move(b.field), rule_)};
   }
 
@@ -267,8 +267,10 @@ class Linear final : public Field {
     a_->restrict_all(boxes, shift_ == 0 ? purpose : Purpose::value, out);
     for (Restriction& here : out.first(boxes.size())) {
       here.range = moved(here.range);
-      here.field =
-          here.field == a_ ? shared_from_this() : std::make_shared<Linear>(std::move(here.field), factor_, shift_);
+      if (here.field == a_)
+        here.field = *this;
+      else
+        here.field = std::make_shared<Linear>(std::move(here.field), factor_, shift_);
     }
   }
   [[nodiscard]] Box known_bounds() const noexcept override {

@@ -73,7 +73,7 @@ class ValuesCode {
 
  private:
   asmjit::Operand place(Operand operand) {
-    if (is_constant(operand)) return out_.constant((*tape_.constants)[operand & ~constant_bit]);
+    if (is_constant(operand)) return out_.constant(tape_.constants[operand & ~constant_bit]);
     if (!is_made(operand)) return out_.frame(static_cast<int>(operand));
     const std::uint32_t slot = tape_.code[operand - first_value].slot;
     if (slot < slot_registers_ && in_registers_[slot]) return out_.vector(static_cast<int>(slot));
@@ -152,7 +152,7 @@ class GradientsCode {
 
  private:
   asmjit::Operand value(Operand operand) {
-    if (is_constant(operand)) return out_.constant((*tape_.constants)[operand & ~constant_bit]);
+    if (is_constant(operand)) return out_.constant(tape_.constants[operand & ~constant_bit]);
     if (!is_made(operand)) return out_.frame(static_cast<int>(operand));
     return slot(tape_.code[operand - first_value].slot, 0);
   }
@@ -316,7 +316,7 @@ class IntervalsCode {
 
   void load(Operand operand, const Pair& to) {
     if (is_constant(operand)) {
-      out_.load(to.lower, out_.constant((*tape_.constants)[operand & ~constant_bit]));
+      out_.load(to.lower, out_.constant(tape_.constants[operand & ~constant_bit]));
       out_.load(to.upper, to.lower);
       return;
     }
@@ -481,7 +481,7 @@ std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Make
       GradientsCode(assembler, tape, helpers).emit();
       break;
     default:
-      if (!std::all_of(tape.constants->begin(), tape.constants->end(), [](float c) { return std::isfinite(c); }))
+      if (!std::all_of(tape.constants.begin(), tape.constants.end(), [](float c) { return std::isfinite(c); }))
         return nullptr;
       vectors = 2;
       IntervalsCode(assembler, tape, helpers, what == Makes::sign_intervals).emit();

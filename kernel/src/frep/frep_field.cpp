@@ -162,7 +162,7 @@ class FrepField final : public Field {
   [[nodiscard]] LaneRun evaluate(std::span<const Box> boxes, Purpose purpose, bool decided_too) const {
     IntervalRun run{tape_.code.data(),
                     tape_.code.size(),
-                    tape_.constants->data(),
+                    tape_.constants.data(),
                     tape_.root,
                     {},
                     boxes.size(),
@@ -202,7 +202,7 @@ class FrepField final : public Field {
     const LaneRun run = evaluate(boxes, purpose, false);
     bool any = false;
     for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
-      out[lane] = {run.ranges[lane], shared_from_this()};
+      out[lane] = {run.ranges[lane], *this};
       any |= !out[lane].range.decided();
     }
     if (!any) return;
@@ -231,7 +231,10 @@ class FrepField final : public Field {
     }
     std::vector<std::uint16_t>& needed = kept_needed();
     const bool simpler = (mark_needed(tape_, run.choices, needed) & 1U) != 0;
-    out.field = simpler ? pruned(run, needed, 0) : shared_from_this();
+    if (simpler)
+      out.field = pruned(run, needed, 0);
+    else
+      out.field = *this;
   }
 
   [[nodiscard]] FieldPtr pruned(const LaneRun& run, const std::vector<std::uint16_t>& needed, std::size_t lane) const {
@@ -265,7 +268,7 @@ class FrepField final : public Field {
                                std::size_t stride) const {
     return {tape_.code.data(),
             tape_.code.size(),
-            tape_.constants->data(),
+            tape_.constants.data(),
             tape_.root,
             points.x + first,
             points.y + first,

@@ -49,7 +49,7 @@ class Steps {
   }
 
   [[nodiscard]] float value(Operand operand, float coordinate) const {
-    if (is_constant(operand)) return (*tape_.constants)[operand & ~constant_bit];
+    if (is_constant(operand)) return tape_.constants[operand & ~constant_bit];
     if (!is_made(operand)) return coordinate;
     const Clause& clause = tape_.code[operand - first_value];
     return apply(clause.op, value(clause.a, coordinate), value(clause.b, coordinate));

@@ -1,5 +1,7 @@
 #include "prune.h"
 
+#include <algorithm>
+
 namespace fieldfab::frep {
 namespace {
 
@@ -19,6 +21,7 @@ struct Workspace {
   std::vector<Operand> renamed;         ///< by old operand: its number in the pruned tape
   std::vector<Clause> code;             ///< of the pruned tape
   std::vector<std::uint32_t> last_use;  ///< by new operand
+  std::vector<float> constants;         ///< of the pruned tape
 };
 
 }  // namespace
@@ -57,8 +60,15 @@ void prune(const Tape& tape, const Choice* choices, const std::vector<std::uint1
   Operand* const renamed = work.renamed.data();
   std::uint32_t* const last_use = work.last_use.data();
   for (Operand axis = 0; axis < first_value; ++axis) renamed[axis] = axis;
+  work.constants.resize(2 * left + 2);
+  float* const constants = work.constants.data();
+  std::uint32_t constant_count = 0;
   const auto new_name = [&](Operand operand) {
-    return (operand & if_constant(operand)) | (renamed[place_of(operand)] & ~if_constant(operand));
+    const Operand constant = if_constant(operand);
+    constants[constant_count] = tape.constants[operand & ~constant_bit & constant];
+    const Operand name = ((constant_bit | constant_count) & constant) | (renamed[place_of(operand)] & ~constant);
+    constant_count += constant & 1U;
+    return name;
   };
   std::uint32_t made = 0;
   for (std::uint32_t k = 0; k < left; ++k) {
@@ -77,7 +87,7 @@ void prune(const Tape& tape, const Choice* choices, const std::vector<std::uint1
     made += emitted;
   }
   pruned.root = new_name(tape.root);
-  pruned.constants = tape.constants;
+  pruned.constants.assign(constants, constants + std::max(constant_count, 1U));
   pruned.slots = assign_slots(work.code.data(), made, last_use);
   pruned.code.assign(work.code.data(), work.code.data() + made);
 }

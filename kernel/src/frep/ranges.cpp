@@ -7,7 +7,7 @@ namespace fieldfab::frep {
 namespace {
 
 Interval operand_range(const Tape& tape, const Ranges& ranges, Operand operand) {
-  return is_constant(operand) ? Interval::of((*tape.constants)[operand & ~constant_bit]) : ranges[operand];
+  return is_constant(operand) ? Interval::of(tape.constants[operand & ~constant_bit]) : ranges[operand];
 }
 
 enum class Chosen : std::uint8_t { both, first, second };
@@ -60,7 +60,7 @@ Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y,
   // not change.
   float *const lower = ranges.lower.data(), *const upper = ranges.upper.data();
   std::uint8_t* const maybe_nan = ranges.maybe_nan.data();
-  const float* const constants = tape.constants->data();
+  const float* const constants = tape.constants.data();
   const auto range_of = [&](Operand operand) {
     return is_constant(operand) ? Interval::of(constants[operand & ~constant_bit])
                                 : Interval{lower[operand], upper[operand], maybe_nan[operand] != 0};

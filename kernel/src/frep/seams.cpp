@@ -64,7 +64,8 @@ class SeamMerger {
     if (!simpler_ || visits_ > most_visits) return false;
     merged.code.clear();
     merged.root = whole.settled() ? constant(whole.kind == Part::Kind::nothing ? 1 : -1) : emitted(whole, merged.code);
-    merged.constants = all_constants();
+    merged.constants = tape_.constants;
+    merged.constants.insert(merged.constants.end(), more_constants_.begin(), more_constants_.end());
     choose_slots(merged);
     return true;
   }
@@ -82,7 +83,7 @@ class SeamMerger {
   static Affine constant_affine(double value) { return {Vec3::Zero(), value, std::abs(value)}; }
 
   [[nodiscard]] std::optional<Affine> affine(Operand operand) const {
-    return is_constant(operand) ? constant_affine((*tape_.constants)[operand & ~constant_bit]) : affine_[operand];
+    return is_constant(operand) ? constant_affine(tape_.constants[operand & ~constant_bit]) : affine_[operand];
   }
 
   [[nodiscard]] std::optional<Affine> affine(const Clause& clause) const {
@@ -286,15 +287,7 @@ class SeamMerger {
 
   Operand constant(double value) {
     more_constants_.push_back(static_cast<float>(value));
-    return static_cast<Operand>(tape_.constants->size() + more_constants_.size() - 1) | constant_bit;
-  }
-
-  /// The tape's own constants, mostly: those of a large formula are many, and its restrictions share them.
-  [[nodiscard]] std::shared_ptr<const std::vector<float>> all_constants() const {
-    if (more_constants_.empty()) return tape_.constants;
-    auto all = std::make_shared<std::vector<float>>(*tape_.constants);
-    all->insert(all->end(), more_constants_.begin(), more_constants_.end());
-    return all;
+    return static_cast<Operand>(tape_.constants.size() + more_constants_.size() - 1) | constant_bit;
   }
 
   Operand emitted(const Part& part, std::vector<Clause>& code) {

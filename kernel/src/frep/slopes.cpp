@@ -137,7 +137,7 @@ class SlopeRun {
 
  private:
   [[nodiscard]] Interval range_of(Operand operand) const {
-    return is_constant(operand) ? Interval::of((*tape_.constants)[operand & ~constant_bit]) : ranges_[operand];
+    return is_constant(operand) ? Interval::of(tape_.constants[operand & ~constant_bit]) : ranges_[operand];
   }
   [[nodiscard]] const Lanes& slopes_of(Operand operand) const { return is_constant(operand) ? none : slopes_[operand]; }
 

@@ -80,7 +80,7 @@ Tape make_tape(const Expression& expression) {
     }
   }
   tape.root = operand.back();
-  tape.constants = std::make_shared<const std::vector<float>>(std::move(constants));
+  if (!constants.empty()) tape.constants = std::move(constants);
   mark_signs(tape);
   choose_slots(tape);
   return tape;

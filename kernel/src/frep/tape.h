@@ -1,7 +1,6 @@
 /// An expression as straight-line code, for intervals, pruning and batches (Keeter 3.6 to 3.8).
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "clause.h"
@@ -13,7 +12,8 @@ namespace fieldfab::frep {
 /// the root.
 struct Tape {
   std::vector<Clause> code;
-  std::shared_ptr<const std::vector<float>> constants;  ///< shared with the tapes pruned from this one
+  /// Never empty. Each tape has its own: threads that prune one tape would wait for each other at a count of owners.
+  std::vector<float> constants = {0};
   Operand root = 0;
   std::uint32_t slots = 0;  ///< number of slots
 };

@@ -82,19 +82,19 @@ class Descent {
       : grid_(grid), low_(low), high_(high), progress_(progress) {}
 
   template <class Decided, class Leaf>
-  void run(const FieldPtr& field, const Rectangle& r, const Decided& decided, const Leaf& leaf) {
+  void run(const Field& field, const Rectangle& r, const Decided& decided, const Leaf& leaf) {
     progress_.check();
     if (r.longer() <= task_side) {
       leaf(field, r);
       return finish(r);
     }
-    const Parts parts(*field, grid_, r, low_, high_);
+    const Parts parts(field, grid_, r, low_, high_);
     parallel_for(parts.count, [&](std::size_t i) {
       const Restriction& here = parts.here[i];
       if (here.range.outside() || (here.range.inside() && decided(parts.area[i])))
         finish(parts.area[i]);
       else
-        run(here.field, parts.area[i], decided, leaf);
+        run(*here.field, parts.area[i], decided, leaf);
     });
   }
 
@@ -119,15 +119,15 @@ class PlaneTile {
       std::memset(pixels_ + grid_.index(r.left, y), 255, static_cast<std::size_t>(r.right - r.left));
   }
 
-  void draw(const FieldPtr& field, const Rectangle& r) const {
-    if (r.longer() <= leaf_side) return evaluate(*field, r);
+  void draw(const Field& field, const Rectangle& r) const {
+    if (r.longer() <= leaf_side) return evaluate(field, r);
     const double z = grid_.region.lower.z();
-    const Parts parts(*field, grid_, r, z, z);
+    const Parts parts(field, grid_, r, z, z);
     for (std::size_t i = 0; i < parts.count; ++i)
       if (parts.here[i].range.inside())
         fill(parts.area[i]);
       else if (!parts.here[i].range.outside())
-        draw(parts.here[i].field, parts.area[i]);
+        draw(*parts.here[i].field, parts.area[i]);
   }
 
  private:
@@ -156,13 +156,15 @@ class HeightTile {
       : grid_(grid), centres_(grid), heights_(heights), normals_(normals) {
     const double pixel = std::max(grid.region.size().x() / grid.width, grid.region.size().y() / grid.height);
     layers_ = std::max(1, static_cast<int>(std::ceil(grid.region.size().z() / pixel)));
+    for (int layer = 0; layer <= layers_; ++layer)
+      planes_.push_back(static_cast<float>(grid.region.lower.z() + grid.region.size().z() * layer / layers_));
   }
   [[nodiscard]] int layers() const { return layers_; }
 
   /// Draws pixels r between layer `low` and layer `high`, counted from the bottom; the Field is
   /// restricted to them.
-  void draw(const FieldPtr& field, const Rectangle& r, int low, int high) const {
-    if (r.longer() <= side && high - low <= side) return march(*field, r, low, high);
+  void draw(const Field& field, const Rectangle& r, int low, int high) const {
+    if (r.longer() <= side && high - low <= side) return march(field, r, low, high);
     const int longest = std::max(r.longer(), high - low);
     const int step = step_of(longest, side);
     std::array<Rectangle, split * split> open;  // rectangles not hidden yet
@@ -172,7 +174,7 @@ class HeightTile {
         open[count++] = {x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)};
     for (int upper = high; upper > low && count > 0; upper -= step) {
       count = leave_hidden(open, count, plane(upper));
-      draw_slab(*field, {open.data(), count}, std::max(low, upper - step), upper);
+      draw_slab(field, {open.data(), count}, std::max(low, upper - step), upper);
     }
   }
 
@@ -198,12 +200,10 @@ class HeightTile {
       if (here[i].range.inside())
         raise(*here[i].field, area[i], top);
       else if (!here[i].range.outside())
-        draw(here[i].field, area[i], low, high);
+        draw(*here[i].field, area[i], low, high);
   }
 
-  [[nodiscard]] float plane(int layer) const {
-    return static_cast<float>(grid_.region.lower.z() + grid_.region.size().z() * layer / layers_);
-  }
+  [[nodiscard]] float plane(int layer) const { return planes_[static_cast<std::size_t>(layer)]; }
   [[nodiscard]] bool hidden(const Rectangle& r, float top) const {
     for (int y = r.top; y < r.bottom; ++y)
       for (int x = r.left; x < r.right; ++x)
@@ -244,6 +244,9 @@ class HeightTile {
       std::fill_n(z.data() + layer * area, area, plane(high - static_cast<int>(layer)));
     }
     field.values({x.data(), y.data(), z.data(), area * planes}, value.data());
+    int inside = 0;
+    for (std::size_t i = 0; i < area * planes; ++i) inside |= static_cast<int>(value[i] < 0);
+    if (inside == 0) return;
 
     std::array<int, most_columns> first;  // index of the first layer inside
     std::fill_n(first.data(), area, -1);
@@ -325,6 +328,7 @@ class HeightTile {
   std::vector<float>& heights_;
   Normals* normals_;
   int layers_;
+  std::vector<float> planes_;  // heights between the layers, from the bottom up
 };
 
 }  // namespace
@@ -345,8 +349,8 @@ void rasterise_plane(const Field& field, const PixelGrid& grid, std::uint8_t* pi
   const auto fill = [&](const Rectangle& r) { return tile.fill(r), true; };
   const double z = grid.region.lower.z();
   Descent(grid, z, z, progress)
-      .run(field.shared_from_this(), {0, 0, grid.width, grid.height}, fill,
-           [&](const FieldPtr& part, const Rectangle& r) { tile.draw(part, r); });
+      .run(field, {0, 0, grid.width, grid.height}, fill,
+           [&](const Field& part, const Rectangle& r) { tile.draw(part, r); });
 }
 
 std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, Normals* normals, Progress& progress) {
@@ -355,8 +359,8 @@ std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, 
   const HeightTile tile(grid, heights, normals);
   const auto not_filled = [](const Rectangle&) { return false; };
   Descent(grid, grid.region.lower.z(), grid.region.upper.z(), progress)
-      .run(field.shared_from_this(), {0, 0, grid.width, grid.height}, not_filled,
-           [&](const FieldPtr& part, const Rectangle& r) { tile.draw(part, r, 0, tile.layers()); });
+      .run(field, {0, 0, grid.width, grid.height}, not_filled,
+           [&](const Field& part, const Rectangle& r) { tile.draw(part, r, 0, tile.layers()); });
   return heights;
 }
 

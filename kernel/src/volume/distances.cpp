@@ -259,7 +259,7 @@ class DistanceField final : public Field {
       if (away)
         out[i].field = far[i].field;
       else if (out[i].field == solid_ && far[i].field == far_)
-        out[i].field = shared_from_this();
+        out[i].field = *this;
       else
         out[i].field = std::make_shared<DistanceField>(std::move(out[i].field), std::move(far[i].field), voxel_);
     }

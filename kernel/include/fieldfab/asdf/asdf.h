@@ -124,7 +124,7 @@ class Asdf final : public Field {
   struct Place;
   [[nodiscard]] Place find(const std::array<double, 3>& at) const noexcept;
   /// The smallest subtree that contains a box.
-  [[nodiscard]] FieldPtr subtree(const Box& box) const;
+  [[nodiscard]] RestrictedField subtree(const Box& box) const;
 
   Box region_;
   std::array<int, 3> lattice_{};

@@ -47,10 +47,33 @@ enum class Purpose {
   occupancy,  ///< the same sign only, which permits more pruning (Boolean pruning; Keeter, Algorithm 3.4)
 };
 
+/// Pointer to the Field of a Restriction. It owns a Field that was made for the box; the original Field it only refers
+/// to, and must not outlive: threads that restrict one Field would wait for each other if each box counted as an owner.
+/// A FieldPtr made from it always owns.
+class RestrictedField {
+ public:
+  RestrictedField() = default;
+  RestrictedField(const Field& original) : field_(&original) {}
+  template <class Made>
+  RestrictedField(std::shared_ptr<Made> made) : field_(made.get()), owner_(std::move(made)) {}
+
+  const Field* operator->() const { return field_; }
+  const Field& operator*() const { return *field_; }
+  [[nodiscard]] const Field* get() const { return field_; }
+  operator FieldPtr() const&;
+  operator FieldPtr() &&;
+  bool operator==(const RestrictedField& other) const { return field_ == other.field_; }
+  bool operator==(const FieldPtr& other) const { return field_ == other.get(); }
+
+ private:
+  const Field* field_ = nullptr;
+  FieldPtr owner_;
+};
+
 /// Result of restricting a Field to a box: its range, and an equivalent Field that is often cheaper to evaluate there.
 struct Restriction {
   Interval range;
-  FieldPtr field;  ///< never null; may be the original Field
+  RestrictedField field;  ///< never null; may be the original Field
 };
 
 /// A Field in other coordinates: the original has, at `origin + axes * u`, the value of `field` at u, up to rounding.
@@ -159,5 +182,8 @@ class Field : public std::enable_shared_from_this<Field> {
   friend SolidBounds solid_bounds(const Field& field, Progress& progress);
   mutable std::atomic<std::shared_ptr<const SolidBounds>> bounds_;  // what solid_bounds() found
 };
+
+inline RestrictedField::operator FieldPtr() const& { return owner_ ? owner_ : field_->shared_from_this(); }
+inline RestrictedField::operator FieldPtr() && { return owner_ ? std::move(owner_) : field_->shared_from_this(); }
 
 }  // namespace fieldfab
