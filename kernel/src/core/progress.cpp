@@ -6,14 +6,20 @@ namespace fieldfab {
 
 namespace {
 
-constexpr std::chrono::steady_clock::duration patience = std::chrono::milliseconds(50);  // between two reports
+using Duration = std::chrono::steady_clock::duration;
+constexpr Duration patience = std::chrono::milliseconds(50);  // after which the last report is repeated
+constexpr Duration least = std::chrono::milliseconds(5);      // between two reports of a stage
 
 }  // namespace
 
-void Progress::report(double fraction, const std::string& message) {
+void Progress::report(double fraction, std::string_view message) {
   if (!listener_) return;
+  const std::size_t stage = std::hash<std::string_view>()(message);
+  const bool known = stage == stage_.load(std::memory_order_relaxed) && fraction < 1;
+  if (known && Clock::now().time_since_epoch().count() - told_.load(std::memory_order_relaxed) < least.count()) return;
   const std::unique_lock lock(reporting_, std::try_to_lock);
   if (!lock.owns_lock()) return;
+  stage_.store(stage, std::memory_order_relaxed);
   fraction_ = fraction;
   message_ = message;
   tell();

@@ -301,7 +301,10 @@ FieldPtr volume_field(const Volume& volume, const Isosurface& surface, Progress&
   const SampleLattice& lattice = volume.lattice();
   std::vector<float> samples = read_all(volume, progress);
   progress.check();
-  for (float& sample : samples) sample = surface.value(sample);
+  parallel_for(static_cast<std::size_t>(lattice.size[2]), [&](std::size_t k) {
+    for (float& sample : std::span(samples).subspan(k * lattice.slice(), lattice.slice()))
+      sample = surface.value(sample);
+  });
   progress.check();
   const FieldPtr solid = std::make_shared<VolumeField>(std::move(samples), lattice);
   progress.check();

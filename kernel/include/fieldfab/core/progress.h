@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace fieldfab {
 
@@ -21,9 +22,9 @@ class Progress {
   Progress() = default;
   explicit Progress(Listener listener) : listener_(std::move(listener)) {}
 
-  /// Reports the completed fraction of the current stage. Drops the report if another thread is reporting at the same
-  /// time.
-  void report(double fraction, const std::string& message);
+  /// Reports the completed fraction of the current stage. Cheap: only the first report of a stage, its end, and one
+  /// every few milliseconds reach the listener, and none while another thread is reporting.
+  void report(double fraction, std::string_view message);
   /// Requests cancellation. Safe in a signal handler.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
@@ -42,7 +43,8 @@ class Progress {
   std::mutex reporting_;  ///< guards the last report and calls of the listener
   double fraction_ = 0;
   std::string message_;
-  std::atomic<Clock::rep> told_{0};  ///< time of the last report
+  std::atomic<Clock::rep> told_{0};    ///< time of the last report
+  std::atomic<std::size_t> stage_{0};  ///< hash of its description
   std::atomic<bool> cancelled_{false};
 };
 
