@@ -26,7 +26,7 @@ def _of_line(line):
             if all(piece in line for piece in pieces) and (match := pattern.fullmatch(line))]
     if not fits:
         before, colon, rest = line.partition(": ")
-        return before + colon + _of_line(rest) if colon else line
+        return _of_line(before) + colon + _of_line(rest) if colon else line
     template, match = max(fits, key=lambda fit: len(_FIELD.sub("", fit[0])))
     values = {name: value if value == line else _of_line(value) for name, value in match.groupdict("").items()}
     return _FIELD.sub(lambda field: values[f"v{field[1]}"], tr(template, CONTEXT)).replace("{{", "{").replace("}}", "}")

@@ -44,6 +44,16 @@ def test_every_text_of_the_sources_is_translated_and_no_other(update, path):
     assert path.read_text(encoding="utf-8") == update.written(path.stem.split("_", 1)[1], wanted, known)
 
 
+def test_templates_of_messages_are_listed(update):
+    listed = [text for context, text in update.collected() if context == "Kernel: message"]
+    assert update.MESSAGES.read_text(encoding="utf-8").splitlines() == listed, "run ./dev translations"
+    for text in ("cannot be read: {0}", "{0}: there is nothing left to cut", "'{0}' has no parameter '{1}'; it has: {2}",
+                 "; did you mean '{0}'?", "has '[' without ']'", "has '{{' without '}}'", "sharpening edges", "clockwise",
+                 "G76 with Q{0}: the slant is between 0 and 80 degrees", "as a math string this expression would be "
+                 "larger than 64 MB, since shared parts are repeated; write .vm or .frep"):
+        assert text in listed, text
+
+
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_what_is_filled_in_is_filled_in_every_translation(update, path):
     different = [(text, translation) for (_, text), translation in update.translations(path).items()

@@ -5219,8 +5219,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>'{0}' bei zwei Körpern: a | b für ihre Vereinigung schreiben, oder value(a) {0} value(b) für Zahlen</translation>
     </message>
     <message>
-        <source>'{0}' takes at most {1} argument{2}</source>
-        <translation>'{0}': Argument{2}zahl höchstens {1}</translation>
+        <source>'{0}' takes at most {1} {2}</source>
+        <translation>'{0}' nimmt höchstens {1} {2}</translation>
     </message>
     <message>
         <source>'{0}' takes no words in quotes</source>
@@ -5237,6 +5237,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>1 to 100000 frames of 16 to 8192 pixels are wanted</source>
         <translation>möglich sind 1 bis 100000 Einzelbilder von 16 bis 8192 Pixeln</translation>
+    </message>
+    <message>
+        <source>; did you mean '{0}'?</source>
+        <translation>; meinten Sie '{0}'?</translation>
     </message>
     <message>
         <source>; it has none at all</source>
@@ -6105,6 +6109,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>anticlockwise</source>
         <translation>gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>argument</source>
+        <translation>Argument</translation>
+    </message>
+    <message>
+        <source>arguments</source>
+        <translation>Argumente</translation>
     </message>
     <message>
         <source>as a math string this expression would be larger than 64 MB, since shared parts are repeated; write .vm or .frep</source>
@@ -7183,12 +7195,28 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>keine</translation>
     </message>
     <message>
+        <source>not certain at {0} {1}, the largest {2} mm: parts thinner than {3} mm may be missing there ({4})</source>
+        <translation>nicht sicher an {0} {1}, die größte {2} mm: Teile unter {3} mm Dicke können dort fehlen ({4})</translation>
+    </message>
+    <message>
+        <source>not certain at {0} {1}, the largest {2} mm: parts thinner than {3} mm may be missing there ({4}; cells of {5} mm would show them, with some {6} million triangles)</source>
+        <translation>nicht sicher an {0} {1}, die größte {2} mm: Teile unter {3} mm Dicke können dort fehlen ({4}; Zellen von {5} mm würden sie zeigen, mit etwa {6} Millionen Dreiecken)</translation>
+    </message>
+    <message>
+        <source>not certain, since it was not looked whether anything is missing</source>
+        <translation>nicht sicher, da nicht geprüft wurde, ob etwas fehlt</translation>
+    </message>
+    <message>
         <source>not version 2.0 of kokopelli's format</source>
         <translation>nicht Version 2.0 des Formats von kokopelli</translation>
     </message>
     <message>
         <source>nothing in the block uses its {0} word</source>
         <translation>nichts im Satz verwendet sein {0}-Wort</translation>
+    </message>
+    <message>
+        <source>nothing is seen to be missing, but its slopes there are too roughly known for a proof</source>
+        <translation>es fehlt nichts Sichtbares, doch die Steigungen sind dort für einen Beweis zu ungenau bekannt</translation>
     </message>
     <message>
         <source>nothing moved that could be shown</source>
@@ -7249,6 +7277,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>parameter #{0} would be no finite number</source>
         <translation>Parameter #{0} wäre keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>Stellen</translation>
     </message>
     <message>
         <source>places more than {0} components</source>
@@ -7543,6 +7579,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>der Auftrag hat {0} Werkzeuge: mit tool = NUMMER eines wählen</translation>
     </message>
     <message>
+        <source>the limit of divided cells was reached</source>
+        <translation>die Höchstzahl geteilter Zellen ist erreicht</translation>
+    </message>
+    <message>
         <source>the line ends where a value should be</source>
         <translation>Zeilenende gefunden, Wert erwartet</translation>
     </message>
@@ -7733,6 +7773,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>the slot around x {0}, y {1} is wider than the tool of {2} mm: its sides keep material</source>
         <translation>die Nut um x {0}, y {1} ist breiter als das Werkzeug von {2} mm: an ihren Seiten bleibt Material stehen</translation>
+    </message>
+    <message>
+        <source>the smallest cells</source>
+        <translation>kleinste Zellen</translation>
     </message>
     <message>
         <source>the solid has no bounds; give some</source>
@@ -7937,6 +7981,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>this build was made without ITK and OpenVDB</source>
         <translation>dieses Programm wurde ohne ITK und OpenVDB gebaut</translation>
+    </message>
+    <message>
+        <source>this kind of solid does not tell its slopes</source>
+        <translation>die Steigungen dieser Art von Körper sind unbekannt</translation>
     </message>
     <message>
         <source>this machine cannot tilt the tool</source>
@@ -8519,8 +8567,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{0} erwartet {1}: die Eingabe muss ein Körper sein</translation>
     </message>
     <message>
-        <source>{0} takes {1} argument{2}, found {3}</source>
-        <translation>{0}: Argument{2}zahl {1}, gefunden: {3}</translation>
+        <source>{0} takes {1} {2}, found {3}</source>
+        <translation>{0} nimmt {1} {2}, gefunden: {3}</translation>
     </message>
     <message>
         <source>{0} values for {1} vertices</source>

@@ -9,6 +9,10 @@ SOURCES = ("kernel/src", "cam")
 CALLS = re.compile(r"\b(?:refuse|fail|wrong|Error|Refusal|TextError|Damaged|damaged|expect|unexpected|need(?:ed)?|want|"
                    r"no_compensation|sticky|told|report|event|require_memory|check_corner|note_?|phase|"
                    r"notes?_?(?:\.|->)(?:add|push_back)|left_out(?:\.|->)insert)\s*([({])")
+# Returned suggestions, which follow other messages.
+SUGGESTIONS = re.compile(r"\breturn [^;]*?\bformat\s*([({])(?=\s*\"; )")
+# A file of nothing but messages: all its texts.
+ALL_OF = ("certainty.cpp",)
 LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 FIELD = re.compile(r"\{(\d*)(?::(?:[^{}]|\{\d*\})*)?\}")
 OPEN, CLOSED = "([{", ")]}"
@@ -21,10 +25,12 @@ def of_sources(root):
                        if each.suffix in (".cpp", ".h")):
         text = _without_comments(path.read_text(encoding="utf-8"))
         hidden = _hidden(text)
-        for call in CALLS.finditer(hidden):
-            start = call.end(1)
-            end = _end_of_bracket(hidden, start)
-            found.update(dict.fromkeys(each for each in _templates(text[start:end]) if re.search("[a-z]{2}", each)))
+        told = [text[call.end(1):_end_of_bracket(hidden, call.end(1))]
+                for call in (*CALLS.finditer(hidden), *SUGGESTIONS.finditer(text))]
+        if path.name in ALL_OF:
+            told += [literal[0] for literal in LITERAL.finditer(text)] + re.findall(r"(\?[^;?]*);", text)
+        found.update(dict.fromkeys(each for expression in told for each in _templates(expression)
+                                   if re.search("[a-z]{2}", each)))
     return sorted(found)
 
 

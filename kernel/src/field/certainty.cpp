@@ -29,13 +29,16 @@ std::string Certainty::text() const {
     case Doubt::too_many: why = "the limit of divided cells was reached"; break;
     case Doubt::slopes_unknown: why = "this kind of solid does not tell its slopes"; break;
   }
-  const std::string text = fmt::format(
-      "not certain at {} place{}, the largest {:.3g} mm: parts thinner than {:.3g} mm may be missing there ({}", count,
-      count == 1 ? "" : "s", largest, thickness, why);
+  const char* const places_in_words = count == 1 ? "place" : "places";
   constexpr double most_triangles = 1e9;  // more than anyone wants
-  if (!(wanted_voxel > 0) || wanted_triangles > most_triangles) return text + ")";
-  return text + fmt::format("; cells of {:.2g} mm would show them, with some {:.2g} million triangles)", wanted_voxel,
-                            std::max(0.01, 1e-6 * wanted_triangles));
+  if (!(wanted_voxel > 0) || wanted_triangles > most_triangles)
+    return fmt::format(
+        "not certain at {} {}, the largest {:.3g} mm: parts thinner than {:.3g} mm may be missing there ({})", count,
+        places_in_words, largest, thickness, why);
+  return fmt::format(
+      "not certain at {} {}, the largest {:.3g} mm: parts thinner than {:.3g} mm may be missing there ({}; cells of "
+      "{:.2g} mm would show them, with some {:.2g} million triangles)",
+      count, places_in_words, largest, thickness, why, wanted_voxel, std::max(0.01, 1e-6 * wanted_triangles));
 }
 
 void Certainty::add(const Certainty& other) {

@@ -612,8 +612,8 @@ class InfixParser {
       }
       if (place >= given.values.size()) {
         if (!any_number)
-          source_.fail(tokens_[argument.token].at, fmt::format("'{}' takes at most {} argument{}", name,
-                                                               parameters.size(), parameters.size() == 1 ? "" : "s"));
+          source_.fail(tokens_[argument.token].at, fmt::format("'{}' takes at most {} {}", name, parameters.size(),
+                                                               parameters.size() == 1 ? "argument" : "arguments"));
         given.values.emplace_back();
       }
       if (given.values[place])

@@ -57,8 +57,9 @@ Expression parse_vm(std::string_view text, std::string_view name) {
     if (!op) source.fail(place(1), fmt::format("unknown operation {:.40}", words[1]));
     const std::size_t arguments = *op == Opcode::constant ? 1 : static_cast<std::size_t>(info(*op).arity);
     if (count != arguments + 2)
-      source.fail(place(std::min(count, arguments + 2)), fmt::format("{} takes {} argument{}, found {}", words[1],
-                                                                     arguments, arguments == 1 ? "" : "s", count - 2));
+      source.fail(place(std::min(count, arguments + 2)),
+                  fmt::format("{} takes {} {}, found {}", words[1], arguments,
+                              arguments == 1 ? "argument" : "arguments", count - 2));
     const auto argument = [&](std::size_t word) -> const Expression& {
       const auto found = values.find(words[word]);
       if (found == values.end()) source.fail(place(word), fmt::format("unknown name {:.40}", words[word]));

@@ -5,7 +5,7 @@ import pytest
 from panels import Button, QtWidgets, document, edit, frep, panels  # noqa: F401
 from window import live, press, shot, wait
 
-from fieldfab_workbench import words
+from fieldfab_workbench import kernel_messages, mistakes, part_files, words
 from fieldfab_workbench.commands import solids
 from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, combine
 from fieldfab_workbench.objects import solid as solid_objects
@@ -126,6 +126,43 @@ def test_messages_are_german(german):
     made = solid_objects.create(combine.Combine, german)
     german.recompute()
     assert "mindestens zwei Ausgangskörper wählen" in made.getStatusString()
+
+
+def test_messages_of_the_kernel_are_german(german, panels, tmp_path):  # noqa: F811
+    for english, expected in (
+            ("part.stl: holds no triangles", "part.stl: enthält keine Dreiecke"),
+            ("Halter: 'box' takes at most 3 arguments", "Halter: 'box' nimmt höchstens 3 Argumente"),
+            ("unknown function 'bocks'; did you mean 'box'?", "unbekannte Funktion 'bocks'; meinten Sie 'box'?"),
+            ("line 3: S12 in a block that has no use for it is passed over", "Zeile 3: "),
+            ("sharpening edges", "Kanten werden geschärft"),
+            ("Halter", "Halter")):
+        assert kernel_messages.translated(english).startswith(expected), kernel_messages.translated(english)
+
+    damaged = tmp_path / "damaged.stl"
+    damaged.write_bytes(b"solid nothing\nendsolid nothing\n")
+    with pytest.raises(ValueError) as raised:
+        mistakes.in_a_line(part_files.insert)(str(damaged), german.Name, "damaged")
+    assert "enthält keine Dreiecke" in str(raised.value)
+
+    part = frep(german, "box(20, 20, 12)", 1)
+    edit(part)
+    panels[-1].text.setPlainText("sphre(r = 12)")
+    wait(lambda: "unbekannte Funktion" in panels[-1].message.text(), what="the mistake in German")
+    assert "meinten Sie" in panels[-1].message.text(), panels[-1].message.text()
+    shot("german_mistake")
+    press(Button.Cancel)
+
+    setup = cam_setup.create(german, part)
+    cam_tool.add(setup, {"diameter": 6, "shape": "flat", "name": "Schaft"})
+    operation = cam_operation.add(setup, "rough")
+    operation.Stepdown = 5
+    cam_operation.add(setup, "drill")
+    edit(setup)
+    panels[-1].plan_button.click()
+    wait(lambda: panels[-1].message.text() and "keine runden Bohrungen" in panels[-1].message.text(), seconds=40,
+         what="the planner's error in German")
+    shot("german_plan")
+    press(Button.Cancel)
 
 
 def test_the_property_editor_is_german(german):
