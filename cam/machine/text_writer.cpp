@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "base/chords.h"
 #include "fieldfab/cam/machine/machine.h"
@@ -186,10 +188,38 @@ class TextWriter {
     return inches() ? number_text(mm / 25.4, 3) : number_text(mm, 2);
   }
 
-  static std::string comment_safe(std::string text) {
-    for (char& c : text)
-      if (static_cast<unsigned char>(c) < 32 || c == '(' || c == ')' || c == ';' || c == '%') c = ' ';
-    return text;
+  /// Text for a comment: without what ends one, and in ASCII, since controls refuse or garble other letters.
+  static std::string comment_safe(std::string_view text) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 15> letters{{{"ä", "ae"},
+                                                                                            {"ö", "oe"},
+                                                                                            {"ü", "ue"},
+                                                                                            {"Ä", "Ae"},
+                                                                                            {"Ö", "Oe"},
+                                                                                            {"Ü", "Ue"},
+                                                                                            {"ß", "ss"},
+                                                                                            {"é", "e"},
+                                                                                            {"è", "e"},
+                                                                                            {"à", "a"},
+                                                                                            {"ç", "c"},
+                                                                                            {"ñ", "n"},
+                                                                                            {"ø", "oe"},
+                                                                                            {"å", "aa"},
+                                                                                            {"×", "x"}}};
+    std::string safe;
+    for (std::size_t i = 0; i < text.size();) {
+      const auto c = static_cast<unsigned char>(text[i]);
+      const auto known = std::find_if(letters.begin(), letters.end(),
+                                      [&](const auto& letter) { return text.substr(i).starts_with(letter.first); });
+      if (known != letters.end()) {
+        safe += known->second;
+        i += known->first.size();
+        continue;
+      }
+      const bool continues = (c & 0xc0) == 0x80;  // a further byte of a letter in UTF-8
+      if (!continues) safe += c >= 128 ? '?' : c < 32 || c == '(' || c == ')' || c == ';' || c == '%' ? ' ' : text[i];
+      ++i;
+    }
+    return safe;
   }
 
   [[nodiscard]] bool flat() const { return machine_.takes == MachineInput::flat_paths; }

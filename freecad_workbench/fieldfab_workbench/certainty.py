@@ -39,4 +39,6 @@ def uncertain_places(obj):
 def with_doubt(words, doubt):
     """Returns the status line of a panel and its state. `words`: the status of a valid solid. If its mesh is not
     certain, the line gives the reason."""
-    return (words + "\n" + tr("The mesh is {certainty}").format(certainty=translated(doubt)), DOUBTFUL) if doubt else (words, True)
+    if not doubt:
+        return words, True
+    return words + "\n" + tr("The mesh is {certainty}").format(certainty=translated(doubt)), DOUBTFUL

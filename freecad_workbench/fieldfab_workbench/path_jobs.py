@@ -51,7 +51,7 @@ def _new_job(program):
     # A job's model must have a shape; meshes have none.
     if not getattr(getattr(model, "Shape", None), "Solids", None):
         model = document.addObject("Part::Box", "Block")
-        model.Label = f"Block of {setup.Label}"
+        model.Label = tr("Block of {job}").format(job=setup.Label)
         model.Length, model.Width, model.Height = (max(size, 0.01) for size in upper - lower)
         model.Placement.Base = lower
         document.recompute([model])

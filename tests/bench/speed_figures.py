@@ -87,6 +87,11 @@ def letters():
     return lambda: ff.mesh(text(), voxel=0.25)
 
 
+def letters_flat():
+    part = ff.load(DATA / "frep/kokopelli/text/text_00.math")
+    return lambda: ff.render(part, mode="bitmap", size=2048, bounds=((0, -5.5, 0), (25, 6.7, 0)))
+
+
 def prospero():
     solid = formula("prospero.vm")
     return lambda: ff.render(solid, mode="bitmap", size=4096, bounds=((-1, -1, 0), (1, 1, 0)))
@@ -197,6 +202,7 @@ ROWS = [
     ("the same by OpenVDB", "2.0 to 2.5", "", "", scan_by_openvdb),
     ("height map of 29 exponentials, 512 x 512", "1.6", "0.2", "libfive 0.75", blend_heights),
     ("height map of the tanglecube, 512 x 512", "0.033 to 0.046", "0.009", "", tanglecube_heights),
+    ("Keeter's two lines of text, 2048 x 1000", "0.007 to 0.009", "0.005", "", letters_flat),
     ("prospero.vm, 4096 x 4096", "", "", "", prospero),
     ("a small formula's picture, with the command's start", "0.1", "0.03", "", start),
     ("adaptive clearing of a pocket, 100 x 80 x 10 mm", "", "", "", pocket),

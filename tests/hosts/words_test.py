@@ -47,10 +47,11 @@ def test_every_text_of_the_sources_is_translated_and_no_other(update, path):
 def test_templates_of_messages_are_listed(update):
     listed = [text for context, text in update.collected() if context == "Kernel: message"]
     assert update.MESSAGES.read_text(encoding="utf-8").splitlines() == listed, "run ./dev translations"
-    for text in ("cannot be read: {0}", "{0}: there is nothing left to cut", "'{0}' has no parameter '{1}'; it has: {2}",
-                 "; did you mean '{0}'?", "has '[' without ']'", "has '{{' without '}}'", "sharpening edges", "clockwise",
-                 "G76 with Q{0}: the slant is between 0 and 80 degrees", "as a math string this expression would be "
-                 "larger than 64 MB, since shared parts are repeated; write .vm or .frep"):
+    for text in ("cannot be read: {0}", "{0}: there is nothing left to cut", "'open' has no option '{0}'{1}",
+                 "; did you mean '{0}'?", "has '[' without ']'", "has '{{' without '}}'", "sharpening edges",
+                 "clockwise", "G76 with Q{0}: the slant is between 0 and 80 degrees", "the smallest cells",
+                 "as a math string this expression would be larger than 64 MB, since shared parts are repeated; "
+                 "write .vm or .frep"):
         assert text in listed, text
 
 

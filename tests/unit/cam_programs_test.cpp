@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -53,6 +54,18 @@ void same_way(const std::vector<Motion>& motions, double within, bool rapids) {
     if (!rapids) continue;
     EXPECT_EQ(moved[k].kind == Kind::rapid, move.rapid());
     EXPECT_NEAR(moved[k].feed, move.feed, 0.05 * move.feed);
+  }
+}
+
+TEST(written_programs, comments_are_ascii) {
+  Program program = square();
+  program.name = "Grundkörper (Maß 5 × 3 mm; 日本)";
+  program.sections[0].name = "Planfräsen";
+  for (const char* machine : {"linuxcnc", "grbl", "mach3", "marlin"}) {
+    const std::string text = written(program, machine);
+    EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; }));
+    EXPECT_NE(text.find("Planfraesen"), std::string::npos) << text;
+    EXPECT_NE(text.find("Grundkoerper  Mass 5 x 3 mm  ??"), std::string::npos) << text;
   }
 }
 

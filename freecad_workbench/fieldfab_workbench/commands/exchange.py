@@ -6,6 +6,7 @@ import FreeCADGui
 from ..certainty import uncertain_places
 from ..objects import part_shape
 from ..objects.solid import is_solid
+from ..words import tr
 from .command import Command
 
 
@@ -38,7 +39,7 @@ class ToMesh(_Conversion):
 def to_mesh(document, source):
     """Returns a new plain copy of an object's mesh, with the same placement and colour."""
     made = document.addObject("Mesh::Feature", f"{source.Name}Mesh")
-    made.Label = f"{source.Label} mesh"
+    made.Label = tr("{label} mesh").format(label=source.Label)
     mesh = source.Mesh.copy()
     mesh.Placement = FreeCAD.Placement()
     made.Mesh = mesh

@@ -4,6 +4,7 @@ import FreeCAD
 import FreeCADGui
 
 from ..objects import programs, simulation, solid
+from ..words import tr
 from .command import Command
 
 
@@ -18,6 +19,7 @@ class SimulateProgram(Command):
         chosen = chosen or (planned if len(planned) == 1 else [])
         document.openTransaction(self.title)
         obj = solid.create(simulation.Simulation, document)
+        obj.Label = tr("Simulation")
         if chosen:
             obj.Program = chosen[0]
             obj.SetupFile = getattr(chosen[0], "SetupFile", "")

@@ -1,6 +1,7 @@
 """An operation of a CAM set-up."""
 
 from .. import workflow
+from ..words import kernel_name
 from .cam_setup import setup_of
 from .document_object import WithSettings, create_object
 
@@ -59,7 +60,7 @@ class CamOperation(WithSettings):
 def add(setup, kind, tool=None):
     """Adds an operation at the end of a set-up. Without a given tool it takes the first one. Returns the object;
     computes nothing."""
-    operation = create_object(CamOperation, setup.Document, kind[:1].upper() + kind[1:].replace("_", " "))
+    operation = create_object(CamOperation, setup.Document, kernel_name(kind))
     operation.Type = kind
     setup.Operations = [*setup.Operations, operation]
     operation.Tool = tool or next(iter(setup.Tools), None)

@@ -152,9 +152,9 @@ def zero_of(setup):
     return FreeCAD.Vector(x, y, box.ZMax)
 
 
-def create(document, part=None, label="CAM job"):
+def create(document, part=None, label=""):
     """Adds a set-up to the document; computes nothing yet."""
-    setup = create_object(CamSetup, document, label)
+    setup = create_object(CamSetup, document, label or tr("CAM job"))
     setup.Part = part
     return setup
 

@@ -144,6 +144,6 @@ def write_setup_sheet(obj, path):
 
 def create(setup):
     """Adds the machine program of a set-up to the document; does not plan it yet."""
-    program = create_object(MachineProgram, setup.Document, f"Program of {setup.Label}")
+    program = create_object(MachineProgram, setup.Document, tr("Program of {job}").format(job=setup.Label))
     program.Setup = setup
     return program

@@ -414,8 +414,11 @@ class SetupPanel(EditPanel):
             self.machine_box.open()
             self.machine_rows.rows[setting].say(str(error))
             said = True
-        label = f"{operation.Label}: " if operation is not None and not str(error).startswith(operation.Label) else ""
-        self.say(label + tr("{setting}: see above").format(setting=setting) if said else f"{label}{error}")
+        words, label = str(error), ""
+        if operation is not None:
+            label = f"{operation.Label}: "
+            words = words.removeprefix(label).removeprefix(f"{getattr(operation, 'Type', '')}: ")
+        self.say(label + (tr("{setting}: see above").format(setting=setting) if said else words))
 
     def _tell(self):
         """Shows time, lengths and notes of the plan."""

@@ -3,7 +3,7 @@
 from .. import workflow
 from ..objects import cam_setup
 from ..shim import QtWidgets
-from ..words import PROPERTY, kernel_name, tr
+from ..words import PROPERTY, kernel_name, titled, tr
 from .collapsible import Box
 from .setting_rows import SettingRows
 
@@ -85,10 +85,10 @@ class OperationForm(QtWidgets.QWidget):
 
     def _choose(self, kind):
         if kind != self.obj.Type:
-            named_after_type = self.obj.Label.lower().startswith(self.obj.Type.replace("_", " "))
+            named_after_type = self.obj.Label.startswith((kernel_name(self.obj.Type), titled(self.obj.Type)))
             self.obj.Type = kind
             if named_after_type:
-                self.obj.Label = kind[:1].upper() + kind[1:].replace("_", " ")
+                self.obj.Label = kernel_name(kind)
                 self.name.setText(self.obj.Label)
             self.fill()
             self.changed()

@@ -210,7 +210,7 @@ class SimulationPanel(EditPanel):
 
     def _kept(self, mesh, line):
         kept = self.document.addObject("Mesh::Feature", "Stock")
-        kept.Label = f"{self.obj.Label}, stock at line {line}"
+        kept.Label = tr("{label}, stock at line {line}").format(label=self.obj.Label, line=line)
         kept.Mesh = meshes.to_freecad(mesh)
         kept.ViewObject.Visibility = False
         self.say(tr("kept: {label}").format(label=kept.Label), True)

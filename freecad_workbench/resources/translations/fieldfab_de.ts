@@ -1499,6 +1499,566 @@
         <source>Draw lines along sharp edges</source>
         <translation>Linien an scharfen Kanten zeichnen</translation>
     </message>
+    <message>
+        <source>Sample spacing; the default follows from the part's size and the tool (mm)</source>
+        <translation>Abstand der Abtastpunkte; die Vorgabe folgt aus der Größe des Teils und dem Werkzeug (mm)</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schnitthöhe</translation>
+    </message>
+    <message>
+        <source>Height of the section through the part; the default is the projection from above, or the drawing itself (mm)</source>
+        <translation>Höhe des Schnitts durch das Teil; Vorgabe ist die Projektion von oben oder die Zeichnung selbst (mm)</translation>
+    </message>
+    <message>
+        <source>Surface Tolerance</source>
+        <translation>Toleranz der Höhenkarte</translation>
+    </message>
+    <message>
+        <source>Greatest distance of the height map from the part's surface (mm)</source>
+        <translation>Größter Abstand der Höhenkarte von der Oberfläche des Teils (mm)</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Size of a pixel; the default is that of the image file (mm)</source>
+        <translation>Größe eines Pixels; Vorgabe ist die der Bilddatei (mm)</translation>
+    </message>
+    <message>
+        <source>Brighter pixels are solid</source>
+        <translation>Hellere Pixel sind Material</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Invert: darker pixels are solid</source>
+        <translation>Umkehren: dunklere Pixel sind Material</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Height of black; the default is that of the image file (mm)</source>
+        <translation>Höhe von Schwarz; Vorgabe ist die der Bilddatei (mm)</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Height of white; the default is that of the image file (mm)</source>
+        <translation>Höhe von Weiß; Vorgabe ist die der Bilddatei (mm)</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Side of the outline on which the tool runs</source>
+        <translation>Seite des Umrisses, auf der das Werkzeug fährt</translation>
+    </message>
+    <message>
+        <source>Tabs</source>
+        <translation>Haltestege</translation>
+    </message>
+    <message>
+        <source>Number of tabs on each outline, which hold the part</source>
+        <translation>Anzahl der Haltestege je Umriss, die das Teil halten</translation>
+    </message>
+    <message>
+        <source>Tab Width</source>
+        <translation>Breite der Stege</translation>
+    </message>
+    <message>
+        <source>Width of a tab (mm)</source>
+        <translation>Breite eines Haltestegs (mm)</translation>
+    </message>
+    <message>
+        <source>Tab Height</source>
+        <translation>Höhe der Stege</translation>
+    </message>
+    <message>
+        <source>Height of a tab (mm)</source>
+        <translation>Höhe eines Haltestegs (mm)</translation>
+    </message>
+    <message>
+        <source>Z of the top of the material; the default is the top of the stock (mm)</source>
+        <translation>Z der Oberkante des Materials; Vorgabe ist die des Rohteils (mm)</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth below the top; the default is through the stock (mm)</source>
+        <translation>Tiefe unter der Oberkante; Vorgabe ist durch das Rohteil (mm)</translation>
+    </message>
+    <message>
+        <source>Stepdown</source>
+        <translation>Zustellung</translation>
+    </message>
+    <message>
+        <source>Depth of each pass; the default is one pass (mm)</source>
+        <translation>Tiefe jedes Durchgangs; Vorgabe ist ein Durchgang (mm)</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Stock allowance left on the part (mm)</source>
+        <translation>Aufmaß, das am Teil bleibt (mm)</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>Gleichlauf</translation>
+    </message>
+    <message>
+        <source>Climb milling; false: conventional milling</source>
+        <translation>Gleichlauffräsen; nein: Gegenlauffräsen</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Tolerance of fitting lines and arcs (mm)</source>
+        <translation>Toleranz beim Einpassen von Strecken und Bögen (mm)</translation>
+    </message>
+    <message>
+        <source>Offsets</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>Number of offsets; -1 clears everything</source>
+        <translation>Anzahl der Bahnen; -1 räumt alles</translation>
+    </message>
+    <message>
+        <source>Stepover</source>
+        <translation>Bahnabstand</translation>
+    </message>
+    <message>
+        <source>Distance from one offset to the next (diameters)</source>
+        <translation>Abstand von einer Bahn zur nächsten (Durchmesser)</translation>
+    </message>
+    <message>
+        <source>Side of the outline that is cleared</source>
+        <translation>Seite des Umrisses, die geräumt wird</translation>
+    </message>
+    <message>
+        <source>Distance of the rings (diameters)</source>
+        <translation>Abstand der Ringe (Durchmesser)</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Rings along the walls, or constant engagement: never more than a straight pass has</source>
+        <translation>Ringe entlang den Wänden oder gleichbleibender Eingriff: nie größer als auf einer geraden Bahn</translation>
+    </message>
+    <message>
+        <source>Slots in the part, or the inside of a drawing of slots</source>
+        <translation>Nuten im Teil oder das Innere einer Zeichnung von Nuten</translation>
+    </message>
+    <message>
+        <source>Widest</source>
+        <translation>Größte Breite</translation>
+    </message>
+    <message>
+        <source>Greatest width of a slot; the default is 1.05 diameters (mm)</source>
+        <translation>Größte Breite einer Nut; Vorgabe sind 1.05 Durchmesser (mm)</translation>
+    </message>
+    <message>
+        <source>Peck</source>
+        <translation>Spantiefe</translation>
+    </message>
+    <message>
+        <source>Depth of each peck; the default is no pecking (mm)</source>
+        <translation>Tiefe jedes Bohrhubs; Vorgabe ist Bohren in einem Hub (mm)</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter Durchmesser</translation>
+    </message>
+    <message>
+        <source>Largest diameter of the holes; the default is that of the tool (mm)</source>
+        <translation>Größter Durchmesser der Bohrungen; Vorgabe ist der des Werkzeugs (mm)</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>Rise of the thread in a turn (mm)</source>
+        <translation>Steigung des Gewindes je Umdrehung (mm)</translation>
+    </message>
+    <message>
+        <source>Largest diameter of the thread, as 6 of M6; the default is that of an ISO thread in each hole (mm)</source>
+        <translation>Außendurchmesser des Gewindes, etwa 6 bei M6; Vorgabe ist der des ISO-Gewindes in jeder Bohrung (mm)</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Gangrichtung</translation>
+    </message>
+    <message>
+        <source>A right-hand or a left-hand thread</source>
+        <translation>Rechts- oder Linksgewinde</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Number of passes to the thread's full depth</source>
+        <translation>Anzahl der Durchgänge bis zur vollen Gewindetiefe</translation>
+    </message>
+    <message>
+        <source>Greatest width of a pass (diameters)</source>
+        <translation>Größte Breite eines Durchgangs (Durchmesser)</translation>
+    </message>
+    <message>
+        <source>Angle of the passes to x (degrees)</source>
+        <translation>Winkel der Bahnen zu x (Grad)</translation>
+    </message>
+    <message>
+        <source>Both Ways</source>
+        <translation>Hin und zurück</translation>
+    </message>
+    <message>
+        <source>Alternate passes run backwards</source>
+        <translation>Jede zweite Bahn läuft zurück</translation>
+    </message>
+    <message>
+        <source>Depth below the top; the default is down to the part (mm)</source>
+        <translation>Tiefe unter der Oberkante; Vorgabe ist bis auf das Teil (mm)</translation>
+    </message>
+    <message>
+        <source>Width of the chamfer, seen from above (mm)</source>
+        <translation>Breite der Fase, von oben gesehen (mm)</translation>
+    </message>
+    <message>
+        <source>Beyond</source>
+        <translation>Überstand</translation>
+    </message>
+    <message>
+        <source>Distance of the tool's axis from the edge (mm)</source>
+        <translation>Abstand der Werkzeugachse von der Kante (mm)</translation>
+    </message>
+    <message>
+        <source>Z of the edge; the default is the top of the part (mm)</source>
+        <translation>Z der Kante; Vorgabe ist die Oberkante des Teils (mm)</translation>
+    </message>
+    <message>
+        <source>Distance of passes on a flat floor (mm)</source>
+        <translation>Abstand der Bahnen auf ebenem Boden (mm)</translation>
+    </message>
+    <message>
+        <source>Distance of the passes (diameters)</source>
+        <translation>Abstand der Bahnen (Durchmesser)</translation>
+    </message>
+    <message>
+        <source>Tolerance of the path against the surface (mm)</source>
+        <translation>Toleranz der Bahn gegen die Oberfläche (mm)</translation>
+    </message>
+    <message>
+        <source>Z where the cut begins; the default is the stock's top (mm)</source>
+        <translation>Z, bei dem der Schnitt beginnt; Vorgabe ist die Oberkante des Rohteils (mm)</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unterkante</translation>
+    </message>
+    <message>
+        <source>Z where the cut ends; the default is the floor of the surface (mm)</source>
+        <translation>Z, bei dem der Schnitt endet; Vorgabe ist der Boden der Oberfläche (mm)</translation>
+    </message>
+    <message>
+        <source>Depth of each level; the default is half the tool's diameter (mm)</source>
+        <translation>Tiefe jeder Ebene; Vorgabe ist der halbe Durchmesser des Werkzeugs (mm)</translation>
+    </message>
+    <message>
+        <source>Pattern of the passes</source>
+        <translation>Muster der Bahnen</translation>
+    </message>
+    <message>
+        <source>Angle of the passes against x (degrees)</source>
+        <translation>Winkel der Bahnen gegen x (Grad)</translation>
+    </message>
+    <message>
+        <source>Scallop</source>
+        <translation>Rillenhöhe</translation>
+    </message>
+    <message>
+        <source>Height of the cusps between passes, instead of a stepover (mm)</source>
+        <translation>Höhe der Rillen zwischen den Bahnen, statt eines Bahnabstands (mm)</translation>
+    </message>
+    <message>
+        <source>Zigzag: every other pass runs back</source>
+        <translation>Zickzack: jede zweite Bahn läuft zurück</translation>
+    </message>
+    <message>
+        <source>Lowest z of the tool; the default is the floor of the surface (mm)</source>
+        <translation>Kleinstes z des Werkzeugs; Vorgabe ist der Boden der Oberfläche (mm)</translation>
+    </message>
+    <message>
+        <source>Skip Air</source>
+        <translation>Luftschnitte auslassen</translation>
+    </message>
+    <message>
+        <source>Leaves out passes where earlier operations left no stock</source>
+        <translation>Lässt Bahnen aus, wo frühere Operationen kein Material übrig ließen</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Restmaterial</translation>
+    </message>
+    <message>
+        <source>Rest machining: only where earlier operations left material</source>
+        <translation>Restmaterialbearbeitung: nur wo frühere Operationen Material übrig ließen</translation>
+    </message>
+    <message>
+        <source>Rest Least</source>
+        <translation>Kleinste Resthöhe</translation>
+    </message>
+    <message>
+        <source>Least height of that material (mm)</source>
+        <translation>Kleinste Höhe dieses Materials (mm)</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Neigen</translation>
+    </message>
+    <message>
+        <source>Five axes at once: the tool tilts with the surface</source>
+        <translation>Fünf Achsen zugleich: das Werkzeug neigt sich mit der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Lead angle: tilt ahead of the surface normal, in the direction of travel (degrees)</source>
+        <translation>Voreilwinkel: Neigung vor die Flächennormale, in Fahrtrichtung (Grad)</translation>
+    </message>
+    <message>
+        <source>Most Lean</source>
+        <translation>Größte Neigung</translation>
+    </message>
+    <message>
+        <source>Greatest tilt against the plane's z (degrees)</source>
+        <translation>Größte Neigung gegen die z-Achse der Ebene (Grad)</translation>
+    </message>
+    <message>
+        <source>Body Clearance</source>
+        <translation>Abstand des Schafts</translation>
+    </message>
+    <message>
+        <source>Clearance of shank and holder from the part (mm)</source>
+        <translation>Abstand von Schaft und Halter zum Teil (mm)</translation>
+    </message>
+    <message>
+        <source>Least Angle</source>
+        <translation>Kleinster Winkel</translation>
+    </message>
+    <message>
+        <source>Least angle between the two sides (degrees)</source>
+        <translation>Kleinster Winkel zwischen den beiden Seiten (Grad)</translation>
+    </message>
+    <message>
+        <source>Feed rate of cuts (mm/min)</source>
+        <translation>Vorschub beim Fräsen (mm/min)</translation>
+    </message>
+    <message>
+        <source>Feed rate of plunges (mm/min)</source>
+        <translation>Vorschub beim Eintauchen (mm/min)</translation>
+    </message>
+    <message>
+        <source>Spindle speed (rpm)</source>
+        <translation>Spindeldrehzahl (U/min)</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Sicherheitshöhe</translation>
+    </message>
+    <message>
+        <source>Height of rapids above the stock (mm)</source>
+        <translation>Höhe der Eilgänge über dem Rohteil (mm)</translation>
+    </message>
+    <message>
+        <source>Link Feed</source>
+        <translation>Vorschub im Freien</translation>
+    </message>
+    <message>
+        <source>Feed rate where the material is cut already; the default is the feed (mm/min)</source>
+        <translation>Vorschub, wo das Material schon abgetragen ist; Vorgabe ist der Vorschub (mm/min)</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Eintauchen</translation>
+    </message>
+    <message>
+        <source>How closed paths are entered</source>
+        <translation>Wie in geschlossene Bahnen eingetaucht wird</translation>
+    </message>
+    <message>
+        <source>Ramp Angle</source>
+        <translation>Rampenwinkel</translation>
+    </message>
+    <message>
+        <source>Angle of ramps and helices (degrees)</source>
+        <translation>Winkel von Rampen und Wendeln (Grad)</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps; a machine that cannot tilt stops for turning the part by hand</source>
+        <translation>Von wo gefräst wird: von einer Seite, von den fünf sichtbaren, wie gesehen (alpha, beta) oder in gleichen Schritten; eine Maschine ohne Schwenkachsen hält an, damit das Teil von Hand gedreht wird</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>Rotation of a view about z (degrees)</source>
+        <translation>Drehung einer Ansicht um z (Grad)</translation>
+    </message>
+    <message>
+        <source>Beta</source>
+        <translation>Beta</translation>
+    </message>
+    <message>
+        <source>Rotation of a view about x, after that about z (degrees)</source>
+        <translation>Drehung einer Ansicht um x, nach der um z (Grad)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Number of stepped planes per half turn</source>
+        <translation>Anzahl der Ebenen je halbe Umdrehung</translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation>Schnittbreite</translation>
+    </message>
+    <message>
+        <source>Width of the cut (mm)</source>
+        <translation>Breite des Schnitts (mm)</translation>
+    </message>
+    <message>
+        <source>Autofocus</source>
+        <translation>Autofokus</translation>
+    </message>
+    <message>
+        <source>Focus before the job</source>
+        <translation>Vor dem Job fokussieren</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Of the beam (%)</source>
+        <translation>Des Strahls (%)</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Of pulses (Hz)</source>
+        <translation>Der Pulse (Hz)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Of cutting (%)</source>
+        <translation>Des Schnitts (%)</translation>
+    </message>
+    <message>
+        <source>Xmin</source>
+        <translation>X-Anfang</translation>
+    </message>
+    <message>
+        <source>Where the program's zero lies (mm)</source>
+        <translation>Wo der Nullpunkt des Programms liegt (mm)</translation>
+    </message>
+    <message>
+        <source>Ymin</source>
+        <translation>Y-Anfang</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Of the blade (g)</source>
+        <translation>Des Messers (g)</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Of cutting (cm/s)</source>
+        <translation>Des Schnitts (cm/s)</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Bohrzyklen</translation>
+    </message>
+    <message>
+        <source>Drilling cycles of the control (G81, G83) instead of single moves</source>
+        <translation>Bohrzyklen der Steuerung (G81, G83) statt einzelner Bewegungen</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Speed between cuts (mm/s)</source>
+        <translation>Geschwindigkeit zwischen den Schnitten (mm/s)</translation>
+    </message>
+    <message>
+        <source>Of the attenuator (%)</source>
+        <translation>Des Abschwächers (%)</translation>
+    </message>
+    <message>
+        <source>Speed of jogs (units/s)</source>
+        <translation>Geschwindigkeit der Eilgänge (units/s)</translation>
+    </message>
+    <message>
+        <source>Speed of jogs (inches/s)</source>
+        <translation>Geschwindigkeit der Eilgänge (inches/s)</translation>
+    </message>
+    <message>
+        <source>Voxel</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>Edge of the smallest cell; 0: 1/200 of the longest side (mm)</source>
+        <translation>Kante der kleinsten Zelle; 0: 1/200 der längsten Seite (mm)</translation>
+    </message>
+    <message>
+        <source>Of cutting (mm/s)</source>
+        <translation>Des Schnitts (mm/s)</translation>
+    </message>
 </context>
 <context>
     <name>Fieldfab</name>
@@ -1531,6 +2091,10 @@
         <translation>FreeCADs Startseite wird aktualisiert, wenn sie das nächste Mal geöffnet wird</translation>
     </message>
     <message>
+        <source>{label} mesh</source>
+        <translation>{label} Netz</translation>
+    </message>
+    <message>
         <source>Import scan: a volume, or any slice of a stack</source>
         <translation>Scan importieren: ein Volumen oder ein beliebiges Schichtbild eines Stapels</translation>
     </message>
@@ -1557,6 +2121,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>The script was stopped.</source>
         <translation>Das Skript wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
     </message>
     <message>
         <source>Solid</source>
@@ -1739,6 +2307,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Objekt</translation>
     </message>
     <message>
+        <source>CAM job</source>
+        <translation>CAM-Job</translation>
+    </message>
+    <message>
         <source>{label} has no size</source>
         <translation>{label} hat keine Ausdehnung</translation>
     </message>
@@ -1829,6 +2401,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{label}: choose the File of a model</source>
         <translation>{label}: die Datei eines Modells wählen</translation>
+    </message>
+    <message>
+        <source>Program of {job}</source>
+        <translation>Programm von {job}</translation>
     </message>
     <message>
         <source>{label}: nothing is planned yet</source>
@@ -2145,10 +2721,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Operation</source>
         <translation>Operation</translation>
-    </message>
-    <message>
-        <source>CAM job</source>
-        <translation>CAM-Job</translation>
     </message>
     <message>
         <source>Part</source>
@@ -2967,10 +3539,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Werkzeug {row}: {words} ist eine Zahl, nicht {text!r}</translation>
     </message>
     <message>
-        <source>Simulation</source>
-        <translation>Simulation</translation>
-    </message>
-    <message>
         <source>Playback</source>
         <translation>Wiedergabe</translation>
     </message>
@@ -3013,6 +3581,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>HTML (*.html)</source>
         <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>{label}, stock at line {line}</source>
+        <translation>{label}, Rohteil in Zeile {line}</translation>
     </message>
     <message>
         <source>stopped; the result is unchanged</source>
@@ -3141,6 +3713,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{label}: no known machine has the rotary axes {letters}: choose the machine</source>
         <translation>{label}: Keine bekannte Maschine hat die Drehachsen {letters}: Maschine wählen</translation>
+    </message>
+    <message>
+        <source>Block of {job}</source>
+        <translation>Quader von {job}</translation>
     </message>
     <message>
         <source>{label}: no active operation has a path</source>

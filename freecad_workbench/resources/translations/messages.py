@@ -1,5 +1,5 @@
-"""The kernel's messages, found in its C++ sources: errors, notes and names of phases, which it makes from templates such
-as "{0}: there is nothing left to cut"."""
+"""The kernel's messages, found in its C++ sources: errors, notes and names of phases, which it makes from templates
+such as "{0}: there is nothing left to cut"."""
 
 import pathlib
 import re

@@ -51,6 +51,10 @@ def _of_kernel():
         yield "Kernel", each["name"]
         yield "Kernel", each["help"]
         yield from (("Kernel: choice", choice) for choice in each.get("choices") or ())
+        if "kind" in each:  # a setting: a property, too, named and described as in workflow.py
+            unit = {"1/min": "rpm"}.get(each["unit"], each["unit"])
+            yield "App::Property", each["name"].replace("_", " ").title()
+            yield "App::Property", each["help"][:1].upper() + each["help"][1:] + (f" ({unit})" if unit else "")
     for machine in machines:
         yield "Kernel", machine["name"]
         yield "Kernel", machine["description"]

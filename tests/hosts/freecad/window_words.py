@@ -153,21 +153,30 @@ def test_messages_of_the_kernel_are_german(german, panels, tmp_path):  # noqa: F
     press(Button.Cancel)
 
     setup = cam_setup.create(german, part)
-    cam_tool.add(setup, {"diameter": 6, "shape": "flat", "name": "Schaft"})
+    cam_tool.add(setup, {"diameter": 6, "shape": "flat"})
     operation = cam_operation.add(setup, "rough")
     operation.Stepdown = 5
     cam_operation.add(setup, "drill")
+    assert [setup.Label, *(each.Label for each in (*setup.Tools, *setup.Operations))] == [
+        "CAM-Job", "Schaftfräser 6 mm", "Schruppen", "Bohren"]
     edit(setup)
     panels[-1].plan_button.click()
-    wait(lambda: panels[-1].message.text() and "keine runden Bohrungen" in panels[-1].message.text(), seconds=40,
-         what="the planner's error in German")
+    wait(lambda: "keine runden Bohrungen" in panels[-1].message.text(), seconds=40, what="the planner's error")
+    assert panels[-1].message.text() == "Bohren: das Teil hat keine runden Bohrungen bis 6.3 mm"
     shot("german_plan")
     press(Button.Cancel)
 
 
 def test_the_property_editor_is_german(german):
     part = frep(german, "box(20, 20, 12)", 1)
-    FreeCADGui.Selection.addSelection(part)
+    assert {"Zellgröße", "Formel", "Größter Fehler"} <= properties_shown(part)
+    setup = cam_setup.create(german, part)
+    assert {"Luftschnitte auslassen", "Muster", "Bahnabstand"} <= properties_shown(cam_operation.add(setup, "finish"))
+
+
+def properties_shown(obj):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(obj)
     live(0.5)
     shown = set()
     for view in FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeView):
@@ -177,7 +186,7 @@ def test_the_property_editor_is_german(german):
         for group in range(model.rowCount()):
             top = model.index(group, 0)
             shown |= {str(model.index(row, 0, top).data()) for row in range(model.rowCount(top))}
-    assert {"Zellgröße", "Formel", "Größter Fehler"} <= shown, shown
+    return shown
 
 
 def test_whats_this_is_shown(document):  # noqa: F811
