@@ -10,12 +10,15 @@ _GROUP = 2  # flag of nodes with children
 CREASE = 0.86  # cosine of about 30 degrees: a larger angle between a vertex normal and its facet's means an edge
 
 
-def corner_normals(vertices, triangles, slopes):
+STEEP_CREASE = 0.17  # 80 degrees: in meshes without features, whose cells cut off edges, these look rounded, not ragged
+
+
+def corner_normals(vertices, triangles, slopes, crease=CREASE):
     """Returns vertices, normals and triangles for rendering. `slopes`: the solid's gradients at the vertices. If the
-    directions of a triangle's normal and of the gradient at its corner differ, there is an edge. Then the corner
-    becomes a separate vertex with the triangle's normal."""
+    directions of a triangle's normal and of the gradient at its corner differ by more than the angle with the cosine
+    `crease`, there is an edge. Then the corner becomes a separate vertex with the triangle's normal."""
     facets, normals = unit(_crosses(vertices, triangles)), unit(slopes)
-    apart = np.einsum("tcx,tx->tc", normals[triangles], facets) < CREASE
+    apart = np.einsum("tcx,tx->tc", normals[triangles], facets) < crease
     triangle, corner = np.nonzero(apart)
     drawn = triangles.astype(np.int32)
     drawn[triangle, corner] = len(vertices) + np.arange(len(triangle), dtype=np.int32)

@@ -49,6 +49,7 @@ class Preview:
         self._seen = obj.MadeFrom if obj.isValid() else None
         # For tests: stage of the picture; seconds from the last change to its first picture.
         self.stage, self.latency = "", None
+        self._learnt = False  # whether `cells` follow from the time of a picture
         self._wanted, self._changed, self._began = None, 0.0, 0.0
         self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
         self._paused = None  # (source, settings) to continue with after a pause
@@ -141,7 +142,7 @@ class Preview:
         if seconds > FRAME or allowed > Preview.most:
             Preview.most = int(min(MOST, max(LEAST, min(allowed, 4 * Preview.most))))
         if self._undrawn:
-            self._undrawn, self.latency = False, now - self._began
+            self._undrawn, self._learnt, self.latency = False, True, now - self._began
             self.cells = int(min(64, max(8, self.cells * min(1.5, max(0.5, (BUDGET / self.latency) ** 0.5)))))
 
     def _bounds_of_object(self):
@@ -164,7 +165,8 @@ class Preview:
             self._stop()
             source, settings = self._wanted
             self._wanted, self._began, self._doubt = None, self._changed, ""
-            self._refinement = Refinement(source, settings, self.guess, self.cells, Preview.most, self._faces_first)
+            self._refinement = Refinement(source, settings, self.guess, self.cells, Preview.most, self._faces_first,
+                                          smooth=not self._learnt)
             self._refined_for, self._coarse, self._ready = None, True, None
             self._start(self._whole)
         elif self._needs_detail():

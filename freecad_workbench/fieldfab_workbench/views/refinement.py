@@ -1,5 +1,7 @@
 """Progressive meshes of a solid for display: coarse at once, then finer, then finest near the eye. Needs no window."""
 
+import time
+
 import numpy as np
 
 from .. import kernel, work
@@ -13,6 +15,8 @@ BLOCKS = 4  # most blocks along an axis
 # Multiple of the triangle limit allowed near the eye, where most triangles are outside of the picture.
 NEAR = 4
 PIECE = 10_000  # most triangles of a piece
+SMOOTH = 48  # cells along the longest side in which edges do not look ragged
+QUICK = 0.03  # seconds for the first mesh after which the first picture has SMOOTH cells
 MARGIN = 1 / 8  # growth of a solid, relative to its size, that does not require new bounds
 
 
@@ -21,13 +25,15 @@ class Refinement:
     file, ...]}; a piece is small enough to be added to the scene quickly. Methods raise fieldfab.Error and
     work.Cancelled."""
 
-    def __init__(self, source, settings, guess=None, cells=20, most=100_000, faces_first=False):
+    def __init__(self, source, settings, guess=None, cells=20, most=100_000, faces_first=False, smooth=False):
         """`settings`: those of source.mesh() for the final mesh. `guess`: expected bounds of the solid, (x0, y0, z0,
         x1, y1, z1), mm. `cells`: cells of the first mesh along its longest side. `most`: limit of displayed triangles.
-        `faces_first`: whether to start with the solid's exact faces, if it has them."""
+        `faces_first`: whether to start with the solid's exact faces, if it has them. `smooth`: whether the first mesh
+        may have more cells than `cells` if it takes little time."""
         self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = (
             source, settings, guess, cells, most, faces_first)
-        self.region, self.voxel, self.triangles = None, None, 0  # of the last mesh
+        self.region, self.voxel, self.triangles, self._seconds = None, None, 0, 0.0  # of the last mesh
+        self.smooth = smooth
         self._cell = None, None  # (region, edge of the smallest cell in it)
         self.extent = guess  # known bounds of the solid
         # Whether the final mesh was made: then features are found quickly in blocks, too.
@@ -48,6 +54,8 @@ class Refinement:
             self.region = self._bounds(progress)
             mesh = self._first_mesh(progress)
         self._fit_region(mesh)
+        if self.smooth and self._seconds < QUICK and self.cells < SMOOTH and len(mesh.triangles):
+            mesh = self._mesh(max(self._longest() / SMOOTH, self._wanted()), progress)
         return self._picture(mesh, progress)
 
     def finer(self, progress):
@@ -175,8 +183,9 @@ class Refinement:
         return mesh if len(mesh.triangles) else self._mesh(self._longest() / self.cells / 4, progress)
 
     def _mesh(self, cell, progress):
-        self.voxel = cell
+        self.voxel, began = cell, time.monotonic()
         mesh = self._meshed(tuple(self.region), cell, progress)
+        self._seconds = time.monotonic() - began
         self.triangles = len(mesh.triangles)
         return mesh
 
@@ -259,7 +268,8 @@ class Refinement:
         if self.exact:
             return inventor.written(*inventor.creased(vertices, triangles))
         _, slopes = self.field.gradients(vertices)
-        return inventor.written(*inventor.corner_normals(vertices, triangles, slopes))
+        crease = inventor.CREASE if self.sharp else inventor.STEEP_CREASE
+        return inventor.written(*inventor.corner_normals(vertices, triangles, slopes, crease))
 
 
 def extent(mesh):

@@ -175,6 +175,23 @@ def test_pictures_get_finer_and_end_with_the_solids_own_mesh():
     assert area(pieces(last)) == pytest.approx(source.mesh(voxel=0.5).area, rel=1e-4)
 
 
+def test_the_first_picture_is_smooth_if_that_takes_little_time():
+    """A cube with edges that the first cells cut off: small cells, and shading as if they were rounded."""
+    source = frep_solid.source_of_text("rotate_x(box(10, 10, 10), 20)")
+    ragged, smooth = (refinement.Refinement(source, {"voxel": 0.1}, smooth=wanted) for wanted in (False, True))
+    few = len(pieces(ragged.coarse(go_on)))
+    for _ in range(5):  # other programs share the processor
+        many = len(pieces(smooth.coarse(go_on)))
+        if many > few:
+            break
+    assert many > 3 * few and smooth.voxel == pytest.approx(smooth._longest() / refinement.SMOOTH)
+    mesh = source.mesh(voxel=0.5, features=False)
+    _, slopes = source.field().gradients(mesh.vertices)
+    split, left = (len(inventor.corner_normals(mesh.vertices, mesh.triangles, slopes, crease)[0]) - len(mesh.vertices)
+                   for crease in (inventor.CREASE, inventor.STEEP_CREASE))
+    assert split > 100 and left < split / 3
+
+
 def test_what_the_guess_missed_is_found_in_the_end():
     source = frep_solid.source_of_text("sphere(r = 5) | move(sphere(r = 5), dx = 100)")
     seen = refinement.Refinement(source, {"voxel": 0.5}, guess=(-5, -5, -5, 5, 5, 5), cells=12, most=1000)
