@@ -90,6 +90,23 @@ TEST(ProgressOf, WorkIsReportedAndCancelled) {
   EXPECT_THROW(progress.check(), Error);
 }
 
+TEST(ProgressOf, ManySmallStepsIsToldByThePercent) {
+  std::vector<std::pair<double, std::string>> told;
+  Progress progress([&](double fraction, const std::string& stage) { told.emplace_back(fraction, stage); });
+  constexpr int steps = 1'000'000;
+  const auto began = std::chrono::steady_clock::now();
+  for (const char* stage : {"one", "another"})
+    for (int i = 1; i <= steps; ++i) progress.report(static_cast<double>(i) / steps, stage);
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
+  EXPECT_GE(told.size(), 200U);
+  EXPECT_LE(told.size(), 204U + static_cast<std::size_t>(took.count() / 5));
+  EXPECT_EQ(told.front().second, "one");
+  EXPECT_EQ(told.back(), std::pair(1.0, std::string("another")));
+  const auto next = std::find_if(told.begin(), told.end(), [](const auto& each) { return each.second == "another"; });
+  EXPECT_EQ(std::prev(next)->first, 1);
+  EXPECT_EQ(next->first, 1.0 / steps);
+}
+
 TEST(ProgressOf, WorkThatOnlyChecksCanBeCancelledByItsListener) {
   int told = 0;
   Progress* work = nullptr;

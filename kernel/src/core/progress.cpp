@@ -1,5 +1,7 @@
 #include "fieldfab/core/progress.h"
 
+#include <cmath>
+
 #include "fieldfab/core/error.h"
 
 namespace fieldfab {
@@ -8,15 +10,18 @@ namespace {
 
 using Duration = std::chrono::steady_clock::duration;
 constexpr Duration patience = std::chrono::milliseconds(50);  // after which the last report is repeated
-constexpr Duration least = std::chrono::milliseconds(5);      // between two reports of a stage
+constexpr double a_percent = 0.01;
+constexpr Duration least = std::chrono::milliseconds(5);  // between two reports of a stage
 
 }  // namespace
 
 void Progress::report(double fraction, std::string_view message) {
   if (!listener_) return;
   const std::size_t stage = std::hash<std::string_view>()(message);
-  const bool known = stage == stage_.load(std::memory_order_relaxed) && fraction < 1;
-  if (known && Clock::now().time_since_epoch().count() - told_.load(std::memory_order_relaxed) < least.count()) return;
+  const bool little_new = stage == stage_.load(std::memory_order_relaxed) && fraction < 1 &&
+                          std::abs(fraction - fraction_.load(std::memory_order_relaxed)) < a_percent;
+  if (little_new && Clock::now().time_since_epoch().count() - told_.load(std::memory_order_relaxed) < least.count())
+    return;
   const std::unique_lock lock(reporting_, std::try_to_lock);
   if (!lock.owns_lock()) return;
   stage_.store(stage, std::memory_order_relaxed);

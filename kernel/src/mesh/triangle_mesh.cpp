@@ -32,16 +32,18 @@ double sum_over(const std::vector<std::array<std::uint32_t, 3>>& triangles, cons
 double TriangleMesh::volume() const {
   if (vertices.empty()) return 0;
   const Vec3 origin = corner(*this, 0);  // near the mesh, so that large coordinates cancel early
-  return sum_over(triangles, [&](const auto& t) {
-    return (corner(*this, t[0]) - origin).cross(corner(*this, t[1]) - origin).dot(corner(*this, t[2]) - origin) / 6;
+  const double six_volumes = sum_over(triangles, [&](const auto& t) {
+    return (corner(*this, t[0]) - origin).cross(corner(*this, t[1]) - origin).dot(corner(*this, t[2]) - origin);
   });
+  return six_volumes / 6;
 }
 
 double TriangleMesh::area() const {
-  return sum_over(triangles, [&](const auto& t) {
+  const double doubled = sum_over(triangles, [&](const auto& t) {
     const Vec3 a = corner(*this, t[0]);
-    return (corner(*this, t[1]) - a).cross(corner(*this, t[2]) - a).norm() / 2;
+    return (corner(*this, t[1]) - a).cross(corner(*this, t[2]) - a).norm();
   });
+  return doubled / 2;
 }
 
 Box TriangleMesh::bounds() const {

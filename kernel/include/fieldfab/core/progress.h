@@ -22,8 +22,8 @@ class Progress {
   Progress() = default;
   explicit Progress(Listener listener) : listener_(std::move(listener)) {}
 
-  /// Reports the completed fraction of the current stage. Cheap: only the first report of a stage, its end, and one
-  /// every few milliseconds reach the listener, and none while another thread is reporting.
+  /// Reports the completed fraction of the current stage. Cheap: only the first report of a stage, its end, each
+  /// percent, and one every few milliseconds reach the listener, and none while another thread is reporting.
   void report(double fraction, std::string_view message);
   /// Requests cancellation. Safe in a signal handler.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
@@ -41,7 +41,7 @@ class Progress {
 
   Listener listener_;
   std::mutex reporting_;  ///< guards the last report and calls of the listener
-  double fraction_ = 0;
+  std::atomic<double> fraction_{0};
   std::string message_;
   std::atomic<Clock::rep> told_{0};    ///< time of the last report
   std::atomic<std::size_t> stage_{0};  ///< hash of its description
