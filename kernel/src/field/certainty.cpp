@@ -177,6 +177,7 @@ class CellInspector {
 
   [[nodiscard]] std::vector<Restriction> restricted(const Field& field, const std::vector<CellRange>& parts) const {
     std::vector<Box> boxes;
+    boxes.reserve(parts.size());
     for (const CellRange& part : parts) boxes.push_back(looked_at(part));
     std::vector<Restriction> here(parts.size());
     field.restrict_all(boxes, Purpose::value, here);
