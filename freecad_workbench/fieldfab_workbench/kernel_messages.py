@@ -9,8 +9,10 @@ import re
 from .words import tr
 
 CONTEXT = "Kernel: message"
+# Found by update.py in the kernel's sources.
 TEMPLATES = pathlib.Path(__file__).resolve().parents[1] / "resources" / "translations" / "messages.txt"
 _FIELD = re.compile(r"\{(\d+)\}")
+_FILLED = re.compile(r"\{\{|\}\}|" + _FIELD.pattern)  # what is replaced in a translation
 
 
 def translated(message):
@@ -29,31 +31,22 @@ def _of_line(line):
         return _of_line(before) + colon + _of_line(rest) if colon else line
     template, match = max(fits, key=lambda fit: len(_FIELD.sub("", fit[0])))
     values = {name: value if value == line else _of_line(value) for name, value in match.groupdict("").items()}
-    return _FIELD.sub(lambda field: values[f"v{field[1]}"], tr(template, CONTEXT)).replace("{{", "{").replace("}}", "}")
+    return _FILLED.sub(lambda part: values[f"v{part[1]}"] if part[1] else part[0][0], tr(template, CONTEXT))
 
 
 @functools.lru_cache(1)
 def _patterns():
     """[(template, its words between the values, its regular expression)]."""
-    return [(template, [piece for piece in re.split(r"\{\d+\}", template.replace("{{", "{").replace("}}", "}"))],
-             re.compile(_pattern(template), re.DOTALL)) for template in templates()]
+    return [(template, *_parts(template)) for template in TEMPLATES.read_text(encoding="utf-8").splitlines()]
 
 
-def _pattern(template):
-    seen = set()
-    text = ""
-    for place, piece in enumerate(_FIELD.split(template)):
-        if place % 2 == 0:
-            text += re.escape(piece.replace("{{", "{").replace("}}", "}"))
-        else:
-            text += f"(?P=v{piece})" if piece in seen else f"(?P<v{piece}>.*?)"
-            seen.add(piece)
-    return text
-
-
-def templates():
-    """Returns the templates of the kernel's messages, which update.py finds in its sources."""
-    return TEMPLATES.read_text(encoding="utf-8").splitlines()
+def _parts(template):
+    """Returns the words between a template's values, and its regular expression."""
+    words, names = _FIELD.split(template)[::2], _FIELD.split(template)[1::2]
+    words = [each.replace("{{", "{").replace("}}", "}") for each in words]
+    values = [f"(?P=v{name})" if name in names[:place] else f"(?P<v{name}>.*?)" for place, name in enumerate(names)]
+    pattern = "".join(re.escape(word) + value for word, value in zip(words, [*values, ""]))
+    return words, re.compile(pattern, re.DOTALL)
 
 
 def _speaks():

@@ -46,16 +46,15 @@ def in_a_line(function, dialog=False):
         except Mistake:
             raise
         except (ValueError, OSError, ImportError) as error:
-            words = translated(str(error))
             if dialog and not isinstance(error, Stopped):
-                show(words)
-            raise Mistake(words) from None
+                show(str(error))
+            raise Mistake(translated(str(error))) from None
 
     return told
 
 
 def show(words):
-    """Shows a message in a dialog if there is a window. Returns at once."""
+    """Shows a message, in the user's language, in a dialog if there is a window. Returns at once."""
     if not FreeCAD.GuiUp:
         return
     import FreeCADGui

@@ -34,7 +34,7 @@ Eigen::Vector3f Draft::middle(const Flaw& flaw) const {
 
 Mender::Mender(Draft& draft, MeshEditor::Region& region, bool confined) : draft_(draft), region_(region) {
   region_box_ = confined ? draft.editor.extent(region) : Box::everything();
-  region_field_ = (confined ? draft.solid.restricted(region_box_).field : RestrictedField(draft.solid));
+  region_field_ = confined ? draft.solid.restricted(region_box_).field : RestrictedField(draft.solid);
 }
 
 /// Restricts the solid to everything that mending a flaw may touch: the triangles around it, and
