@@ -52,15 +52,16 @@ std::vector<MeshPart> surfaces_of(const Model& model, const ModelOptions& option
       print_notes({place + ": " + found + more});
       continue;
     }
+    const double enclosed = mesh.volume(), covered = mesh.area();
     described.push_back({{"name", solid.name},
                          {"colour", solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr},
                          {"triangles", mesh.triangles.size()},
-                         {"volume", mesh.volume()},
-                         {"area", mesh.area()},
+                         {"volume", enclosed},
+                         {"area", covered},
                          {"bounds", json_of(mesh.bounds())},
                          {"certain", made.mesh.certainty.certain()}});
     triangles += mesh.triangles.size(), vertices += mesh.vertices.size();
-    volume += mesh.volume(), area += mesh.area();
+    volume += enclosed, area += covered;
     exact = exact && made.exact;
     bounds = parts.empty() ? made.region : hull(bounds, made.region);
     voxel = parts.empty() ? made.voxel : std::min(voxel, made.voxel);

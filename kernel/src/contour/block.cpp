@@ -338,7 +338,8 @@ class BlockSampler {
       const LatticePoint lower =
           moved(division.lower, static_cast<int>(child & 1U) << level, static_cast<int>(child >> 1 & 1U) << level,
                 static_cast<int>(child >> 2) << level);
-      block.leafs.push_back({lower, level, signs, patch.has_value(), patch ? patch->vertex : Vec3(Vec3::Zero())});
+      const Vec3 vertex = patch ? patch->vertex : Vec3(Vec3::Zero());
+      block.leafs.push_back({lower, vertex.cast<float>(), level, signs, patch.has_value()});
     }
   }
 
@@ -412,7 +413,7 @@ class BlockSampler {
       if (level == block_level) return Patch{cube.corners, std::move(points_), vertex};
     }
     const auto number = static_cast<std::uint16_t>(block.leafs.size());
-    block.leafs.push_back({lower, voxel + level, cube.corners, merged, vertex});
+    block.leafs.push_back({lower, vertex.cast<float>(), voxel + level, cube.corners, merged});
     for (int k = z; k < z + side; ++k)
       for (int j = y; j < y + side; ++j)
         for (int i = x; i < x + side; ++i) block.leaf_of[Block::cell(i, j, k)] = number;

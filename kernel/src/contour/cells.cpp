@@ -4,6 +4,7 @@
 #include <map>
 
 #include "block.h"
+#include "by_leaf.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 
@@ -15,7 +16,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// A curve seen from outside one of its two leafs: the inside of the solid is to its left.
 struct CellCurve {
-  std::uint32_t from, to, bend;
+  std::uint32_t leaf, from, to, bend;
 };
 
 /// Vertices and triangles of a run of leafs. Their own vertices are numbered from `first_new` on,
@@ -142,7 +143,7 @@ class CellFiller {
   /// point.
   void fill_fan(const Leaf& leaf, std::span<const CellCurve> loop) {
     const Box cell = box(leaf);
-    Vec3 vertex = leaf.vertex;
+    Vec3 vertex = leaf.vertex.cast<double>();
     if (!leaf.merged) {
       scratch_.clear();
       for (const CellCurve& curve : loop) scratch_.push_back(curves_.points[curve.from]);
@@ -250,55 +251,71 @@ class CellFiller {
   std::vector<SurfacePoint> scratch_;
 };
 
+/// Joins the pieces, which are emptied, behind the vertices of the curves.
+FilledCells joined(const Curves& curves, std::vector<Piece>& pieces) {
+  struct Place {
+    std::size_t vertex, triangle;
+  };
+  std::vector<Place> first(pieces.size());
+  Place end{curves.positions.size() + curves.bends.size(), 0};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    first[i] = end;
+    end.vertex += pieces[i].vertices.size(), end.triangle += pieces[i].triangles.size();
+  }
+  if (end.vertex >= first_new)
+    throw Error(ErrorKind::too_large, "contour", "the mesh would have more than 2^31 vertices");
+  FilledCells filled;
+  TriangleMesh& mesh = filled.mesh;
+  parallel_for(2, [&](std::size_t which) {
+    if (which == 1) return mesh.triangles.resize(end.triangle);
+    mesh.vertices.reserve(end.vertex);
+    mesh.vertices = curves.positions;
+    mesh.vertices.insert(mesh.vertices.end(), curves.bends.begin(), curves.bends.end());
+    mesh.vertices.resize(end.vertex);
+  });
+  parallel_for(pieces.size(), [&](std::size_t i) {
+    Piece& piece = pieces[i];
+    std::copy(piece.vertices.begin(), piece.vertices.end(),
+              mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first[i].vertex));
+    const auto offset = static_cast<std::uint32_t>(first[i].vertex);
+    auto to = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first[i].triangle);
+    for (Triangle triangle : piece.triangles) {
+      for (std::uint32_t& vertex : triangle)
+        if (vertex >= first_new) vertex = vertex - first_new + offset;
+      *to++ = triangle;
+    }
+    piece.vertices = {};
+    piece.triangles = {};
+  });
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (const std::uint32_t t : pieces[i].creased)
+      filled.creased.push_back(static_cast<std::uint32_t>(first[i].triangle) + t);
+  return filled;
+}
+
 }  // namespace
 
 FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves,
                        const ContourSettings& settings, Progress& progress) {
-  // Sorts the curves by leaf (counting sort).
-  const std::vector<Leaf>& leafs = octree.leafs();
-  std::vector<std::uint32_t> start(leafs.size() + 1, 0);
-  for (const FaceCurve& curve : curves.curves) ++start[curve.lower + 1], ++start[curve.upper + 1];
-  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  std::vector<CellCurve> around(2 * curves.curves.size());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (const FaceCurve& curve : curves.curves) {
-    around[next[curve.lower]++] = {curve.from, curve.to, curve.bend};
-    around[next[curve.upper]++] = {curve.to, curve.from, curve.bend};
-  }
-
-  constexpr std::size_t chunk = 4096;
-  std::vector<Piece> pieces((leafs.size() + chunk - 1) / chunk);
-  parallel_for(pieces.size(), [&](std::size_t part) {
-    progress.check();
-    CellFiller filler(solid, lattice, curves, settings, pieces[part]);
-    for (std::size_t i = part * chunk; i < std::min(leafs.size(), (part + 1) * chunk); ++i)
-      if (start[i] < start[i + 1] && octree.extent().contains(leafs[i].lower))
-        filler.fill(leafs[i], std::span(around).subspan(start[i], start[i + 1] - start[i]));
-  });
-
-  FilledCells filled;
-  TriangleMesh& mesh = filled.mesh;
-  mesh.vertices = curves.positions;
-  mesh.vertices.insert(mesh.vertices.end(), curves.bends.begin(), curves.bends.end());
-  std::size_t vertices = mesh.vertices.size(), triangles = 0;
-  for (const Piece& piece : pieces) vertices += piece.vertices.size(), triangles += piece.triangles.size();
-  if (vertices >= first_new)
-    throw Error(ErrorKind::too_large, "contour", "the mesh would have more than 2^31 vertices");
-  mesh.vertices.reserve(vertices);
-  mesh.triangles.reserve(triangles);
-  for (Piece& piece : pieces) {
-    const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const std::uint32_t t : piece.creased)
-      filled.creased.push_back(static_cast<std::uint32_t>(mesh.triangles.size()) + t);
-    for (Triangle triangle : piece.triangles) {
-      for (std::uint32_t& vertex : triangle)
-        if (vertex >= first_new) vertex = vertex - first_new + offset;
-      mesh.triangles.push_back(triangle);
+  const std::span<const Leaf> leafs = octree.leafs();
+  std::vector<Piece> pieces(runs_of(leafs.size()));
+  const auto list = [&](std::size_t i, const auto& add) {
+    for (const FaceCurve& curve : curves.curves[i]) {
+      add({curve.lower, curve.from, curve.to, curve.bend});
+      add({curve.upper, curve.to, curve.from, curve.bend});
     }
-    mesh.vertices.insert(mesh.vertices.end(), piece.vertices.begin(), piece.vertices.end());
-    piece = {};
-  }
-  return filled;
+  };
+  treat_by_leaf<CellCurve>(leafs.size(), curves.curves.size(), list,
+                           [&](std::size_t run, std::span<const std::uint32_t> start, std::span<CellCurve> around) {
+                             progress.check();
+                             CellFiller filler(solid, lattice, curves, settings, pieces[run]);
+                             for (std::size_t i = 0; i + 1 < start.size(); ++i) {
+                               const Leaf& leaf = leafs[run * leafs_a_run + i];
+                               if (start[i] < start[i + 1] && octree.extent().contains(leaf.lower))
+                                 filler.fill(leaf, around.subspan(start[i], start[i + 1] - start[i]));
+                             }
+                           });
+  return joined(curves, pieces);
 }
 
 }  // namespace fieldfab::contouring

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "by_leaf.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 
@@ -13,7 +14,8 @@ namespace {
 /// A vertex on the rim of a face. Sides are numbered from 0, counter-clockwise around the rim seen
 /// from above the face.
 struct RimPoint {
-  std::uint32_t lower, upper;
+  std::uint32_t leaf;   ///< below the face
+  std::uint32_t upper;  ///< the leaf above it
   std::uint32_t vertex;
   std::uint8_t axis;
   std::uint8_t side;
@@ -36,9 +38,9 @@ class CurveTracer {
       : solid_(solid), lattice_(lattice), octree_(octree), progress_(progress) {}
 
   Curves run(bool features) {
-    collect_rim_points();
-    sort_by_face();
-    join_rim_points();
+    std::vector<BlockPoints> found = points_of_blocks();
+    take_points(found);
+    join_rim_points(found);
     if (features) bend_curves();
     return std::move(out_);
   }
@@ -48,30 +50,34 @@ class CurveTracer {
     std::vector<SurfacePoint> points;
     std::vector<std::array<float, 3>> positions;
     std::vector<RimPoint> rim;  // vertices counted from the block's first
+    std::uint32_t first = 0;    // number of the block's first vertex
   };
 
-  void collect_rim_points() {
+  [[nodiscard]] std::vector<BlockPoints> points_of_blocks() const {
     const auto& blocks = octree_.blocks();
     std::vector<BlockPoints> found(blocks.size());
     parallel_for(blocks.size(), [&](std::size_t i) {
       if (i % 64 == 0) progress_.check();
       found[i] = points_of(blocks[i]);
     });
-    std::size_t points = 0, rim = 0;
-    for (const BlockPoints& block : found) points += block.points.size(), rim += block.rim.size();
-    out_.points.reserve(points);
-    out_.positions.reserve(points);
-    rim_.reserve(rim);
+    return found;
+  }
+
+  /// Moves the points out of the blocks and numbers them.
+  void take_points(std::vector<BlockPoints>& found) {
+    std::uint32_t count = 0;
     for (BlockPoints& block : found) {
-      const auto first = static_cast<std::uint32_t>(out_.points.size());
-      out_.points.insert(out_.points.end(), block.points.begin(), block.points.end());
-      out_.positions.insert(out_.positions.end(), block.positions.begin(), block.positions.end());
-      for (RimPoint& point : block.rim) {
-        point.vertex += first;
-        rim_.push_back(point);
-      }
-      block = {};
+      block.first = count;
+      count += static_cast<std::uint32_t>(block.points.size());
     }
+    parallel_for(2, [&](std::size_t which) { which == 0 ? out_.points.resize(count) : out_.positions.resize(count); });
+    parallel_for(found.size(), [&](std::size_t i) {
+      BlockPoints& block = found[i];
+      std::copy(block.points.begin(), block.points.end(), out_.points.begin() + block.first);
+      std::copy(block.positions.begin(), block.positions.end(), out_.positions.begin() + block.first);
+      block.points = {};
+      block.positions = {};
+    });
   }
 
   BlockPoints points_of(const Block& block) const {
@@ -206,52 +212,54 @@ class CurveTracer {
     return static_cast<int>(std::lround(std::log2((edge.upper[axis] - edge.lower[axis]) / lattice_.side(0, axis))));
   }
 
-  /// Sorts the points by face: a counting sort by the lower leaf, then the few points of one leaf
-  /// among themselves.
-  void sort_by_face() {
-    std::vector<std::uint32_t> start(octree_.leafs().size() + 1, 0);
-    for (const RimPoint& point : rim_) ++start[point.lower + 1];
-    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<RimPoint> sorted(rim_.size());
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (const RimPoint& point : rim_) sorted[next[point.lower]++] = point;
-    for (std::size_t i = 0; i + 1 < start.size(); ++i)
-      std::sort(sorted.begin() + start[i], sorted.begin() + start[i + 1],
-                [](const RimPoint& one, const RimPoint& other) {
-                  return one.upper != other.upper ? one.upper < other.upper : one.side < other.side;
-                });
-    rim_ = std::move(sorted);
+  /// Joins the points around each face.
+  void join_rim_points(const std::vector<BlockPoints>& found) {
+    const std::size_t leafs = octree_.leafs().size();
+    out_.curves.resize(runs_of(leafs));
+    const auto list = [&](std::size_t i, const auto& add) {
+      for (RimPoint point : found[i].rim) {
+        point.vertex += found[i].first;
+        add(point);
+      }
+    };
+    treat_by_leaf<RimPoint>(leafs, found.size(), list,
+                            [&](std::size_t run, std::span<const std::uint32_t> start, std::span<RimPoint> rim) {
+                              progress_.check();
+                              out_.curves[run].reserve(rim.size() / 2);
+                              for (std::size_t i = 0; i + 1 < start.size(); ++i)
+                                join_around(rim.subspan(start[i], start[i + 1] - start[i]), out_.curves[run]);
+                            });
   }
 
-  void join_rim_points() {
-    out_.curves.reserve(rim_.size() / 2);
-    for (std::size_t first = 0, last = 0; first < rim_.size(); first = last) {
-      while (last < rim_.size() && rim_[last].lower == rim_[first].lower && rim_[last].upper == rim_[first].upper)
-        ++last;
-      if (last - first == 2 && rim_[first].leaving != rim_[first + 1].leaving)
-        join(rim_[first], rim_[first + 1]);
+  /// Joins the points on the faces above one leaf.
+  void join_around(std::span<RimPoint> rim, std::vector<FaceCurve>& curves) const {
+    std::sort(rim.begin(), rim.end(), [](const RimPoint& one, const RimPoint& other) {
+      return one.upper != other.upper ? one.upper < other.upper : one.side < other.side;
+    });
+    for (std::size_t first = 0, last = 0; first < rim.size(); first = last) {
+      while (last < rim.size() && rim[last].upper == rim[first].upper) ++last;
+      if (last - first == 2 && rim[first].leaving != rim[first + 1].leaving)
+        curves.push_back(joined(rim[first], rim[first + 1]));
       else if (last - first == 4)
-        join_ambiguous(first);
+        join_ambiguous(rim.subspan(first, 4), curves);
       else
         throw Error(ErrorKind::internal, "contour", "a face has an impossible number of crossings");
     }
   }
 
-  void join(const RimPoint& one, const RimPoint& other) {
+  static FaceCurve joined(const RimPoint& one, const RimPoint& other) {
     const RimPoint& leaving = one.leaving ? one : other;
     const RimPoint& entering = one.leaving ? other : one;
-    out_.curves.push_back({one.lower, one.upper, leaving.vertex, entering.vertex, no_vertex, one.axis});
+    return {one.leaf, one.upper, leaving.vertex, entering.vertex, no_vertex, one.axis};
   }
 
   /// Adds two curves across one ambiguous face: corners with the sign of its centre are joined, the
   /// two other corners are cut off.
-  void join_ambiguous(std::size_t first) {
-    const FaceCurve face{rim_[first].lower, rim_[first].upper, 0, 0, no_vertex, rim_[first].axis};
+  void join_ambiguous(std::span<const RimPoint> rim, std::vector<FaceCurve>& curves) const {
+    const FaceCurve face{rim[0].leaf, rim[0].upper, 0, 0, no_vertex, rim[0].axis};
     const bool centre_inside = solid_.value(rectangle(face).centre()) < 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const RimPoint& point = rim_[first + i];
-      if (point.leaving == centre_inside) join(point, rim_[first + (i + 1) % 4]);
-    }
+    for (std::size_t i = 0; i < 4; ++i)
+      if (rim[i].leaving == centre_inside) curves.push_back(joined(rim[i], rim[(i + 1) % 4]));
   }
 
   /// Level of the face that a curve crosses.
@@ -270,32 +278,31 @@ class CurveTracer {
   /// moves it. On faces of merged cells, where halfway can be many voxels off, it is moved inwards.
   void bend_curves() {
     struct Bend {
-      std::size_t curve;
+      FaceCurve* curve;
       Vec3 place;
     };
-    constexpr std::size_t chunk = 4096;
-    std::vector<std::vector<Bend>> accepted((out_.curves.size() + chunk - 1) / chunk);
-    parallel_for(accepted.size(), [&](std::size_t part) {
+    std::vector<std::vector<Bend>> accepted(out_.curves.size());
+    parallel_for(accepted.size(), [&](std::size_t run) {
       progress_.check();
       std::vector<Bend> proposed;
-      for (std::size_t i = part * chunk; i < std::min(out_.curves.size(), (part + 1) * chunk); ++i)
-        if (const auto place = propose_bend(out_.curves[i])) proposed.push_back({i, *place});
+      for (FaceCurve& curve : out_.curves[run])
+        if (const auto place = propose_bend(curve)) proposed.push_back({&curve, *place});
       if (proposed.empty()) return;
       const std::size_t count = proposed.size();
       std::vector<float> x(2 * count), y(2 * count), z(2 * count), value(2 * count);
       for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 middle = middle_of(out_.curves[proposed[i].curve]);
+        const Vec3 middle = middle_of(*proposed[i].curve);
         x[i] = static_cast<float>(proposed[i].place.x()), x[count + i] = static_cast<float>(middle.x());
         y[i] = static_cast<float>(proposed[i].place.y()), y[count + i] = static_cast<float>(middle.y());
         z[i] = static_cast<float>(proposed[i].place.z()), z[count + i] = static_cast<float>(middle.z());
       }
       solid_.values({x.data(), y.data(), z.data(), 2 * count}, value.data());
       for (std::size_t i = 0; i < count; ++i)
-        if (std::abs(value[i]) < 0.5F * std::abs(value[count + i])) accepted[part].push_back(proposed[i]);
+        if (std::abs(value[i]) < 0.5F * std::abs(value[count + i])) accepted[run].push_back(proposed[i]);
     });
-    for (const auto& part : accepted)
-      for (const Bend& bend : part) {
-        FaceCurve& curve = out_.curves[bend.curve];
+    for (const auto& run : accepted)
+      for (const Bend& bend : run) {
+        FaceCurve& curve = *bend.curve;
         curve.bend = static_cast<std::uint32_t>(out_.bends.size());
         const Box inner = rectangle(curve).grown(-lattice_.margin(level_of(curve)));
         const int u = (curve.axis + 1) % 3, v = (curve.axis + 2) % 3;
@@ -353,7 +360,6 @@ class CurveTracer {
   const Octree& octree_;
   Progress& progress_;
   Curves out_;
-  std::vector<RimPoint> rim_;
 };
 
 }  // namespace

@@ -25,7 +25,8 @@ struct Curves {
   std::vector<SurfacePoint> points;             ///< as located, one on each edge with a sign change
   std::vector<std::array<float, 3>> positions;  ///< positions of `points`, moved away from the ends of their edges
   std::vector<std::array<float, 3>> bends;      ///< strictly inside their faces
-  std::vector<FaceCurve> curves;                ///< sorted by lower leaf
+  /// By run of lower leafs (by_leaf.h), sorted by lower leaf.
+  std::vector<std::vector<FaceCurve>> curves;
 };
 
 /// Finds the curves. Evaluates `solid` where a face is ambiguous, and to test whether a bend meets

@@ -46,8 +46,7 @@ Octree::Octree(const Field& solid, const Lattice& lattice, const Extent& extent,
   subdivide(solid, progress);
   sample_blocks(settings, progress);
   if (wants_half_voxel_ || too_deep_) return;
-  merge_blocks(settings);
-  number_leafs();
+  number_leafs(merge_blocks(settings));
 }
 
 Octree::~Octree() = default;
@@ -276,7 +275,8 @@ void Octree::halve_neighbours(std::span<Node* const> open, std::vector<std::size
   }
 }
 
-void Octree::merge_blocks(const ContourSettings& settings) {
+/// Returns the leafs that are a block or larger.
+std::vector<Leaf> Octree::merge_blocks(const ContourSettings& settings) {
   // Children come after their parents, so a backward loop visits them first.
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
@@ -320,11 +320,12 @@ void Octree::merge_blocks(const ContourSettings& settings) {
   // A patch that is not part of a larger one is a leaf; the blocks below it get its index.
   constexpr std::int32_t none = -1;
   std::vector<std::int32_t> leaf_of_node(nodes_.size(), none);
+  std::vector<Leaf> leafs;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     Node& node = nodes_[i];
     if (leaf_of_node[i] == none && node.patch && !node.patch->uniform()) {
-      leaf_of_node[i] = static_cast<std::int32_t>(leafs_.size());
-      leafs_.push_back({node.lower, node.level, node.patch->corners, true, node.patch->vertex});
+      leaf_of_node[i] = static_cast<std::int32_t>(leafs.size());
+      leafs.push_back({node.lower, node.patch->vertex.cast<float>(), node.level, node.patch->corners, true});
     }
     if (leaf_of_node[i] == none) continue;
     if (node.children >= 0)
@@ -336,15 +337,23 @@ void Octree::merge_blocks(const ContourSettings& settings) {
     }
   }
   nodes_ = {};
+  return leafs;
 }
 
-void Octree::number_leafs() {
+void Octree::number_leafs(std::span<const Leaf> of_nodes) {
+  leaf_count_ = of_nodes.size();
   for (Block& block : blocks_) {
-    if (block.leafs.empty()) continue;  // part of a leaf that merge_blocks() made
-    block.first_leaf = static_cast<std::uint32_t>(leafs_.size());
-    leafs_.insert(leafs_.end(), block.leafs.begin(), block.leafs.end());
-    block.leafs = {};
+    if (block.leafs.empty()) continue;  // part of a leaf of the nodes
+    block.first_leaf = static_cast<std::uint32_t>(leaf_count_);
+    leaf_count_ += block.leafs.size();
   }
+  leafs_ = std::make_unique_for_overwrite<Leaf[]>(leaf_count_);
+  std::copy(of_nodes.begin(), of_nodes.end(), leafs_.get());
+  parallel_for(blocks_.size(), [&](std::size_t i) {
+    Block& block = blocks_[i];
+    std::copy(block.leafs.begin(), block.leafs.end(), leafs_.get() + block.first_leaf);
+    block.leafs = {};
+  });
   block_order_.resize(blocks_.size());
   std::iota(block_order_.begin(), block_order_.end(), 0U);
   std::sort(block_order_.begin(), block_order_.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -21,10 +21,10 @@ namespace fieldfab::contouring {
 /// A cube that the surface crosses: one cell, or several merged cells whose surface it reproduces.
 struct Leaf {
   LatticePoint lower;
-  std::int32_t level = 0;
-  std::uint8_t corners = 0;  ///< bit i: corner i is inside; bits of i are x (1), y (2), z (4)
-  bool merged = false;
-  Vec3 vertex;  ///< best position of the cell's vertex; set only if merged
+  Eigen::Vector3f vertex;  ///< best position of the cell's vertex; set only if merged
+  std::int32_t level;
+  std::uint8_t corners;  ///< bit i: corner i is inside; bits of i are x (1), y (2), z (4)
+  bool merged;
 };
 
 /// A sign change between neighbouring lattice points.
@@ -133,7 +133,7 @@ class Octree {
   [[nodiscard]] bool too_deep() const { return too_deep_; }
 
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
-  [[nodiscard]] const std::vector<Leaf>& leafs() const { return leafs_; }
+  [[nodiscard]] std::span<const Leaf> leafs() const { return {leafs_.get(), leaf_count_}; }
   [[nodiscard]] const Extent& extent() const { return extent_; }
   [[nodiscard]] const Certainty& certainty() const { return certainty_; }
   /// Cells that are not certain.
@@ -158,8 +158,8 @@ class Octree {
   void halve_neighbours(std::span<Node* const> open, std::vector<std::size_t> active, int finest,
                         const ContourSettings& settings, Progress& progress,
                         std::vector<std::unique_ptr<BlockRefiner>>& refiners);
-  void merge_blocks(const ContourSettings& settings);
-  void number_leafs();
+  [[nodiscard]] std::vector<Leaf> merge_blocks(const ContourSettings& settings);
+  void number_leafs(std::span<const Leaf> of_nodes);
   [[nodiscard]] const Block* block_at(const LatticePoint& lower) const;
   [[nodiscard]] std::uint64_t block_key(const LatticePoint& lower) const;
   [[nodiscard]] int block_root() const { return lattice_.voxel_level() + block_level; }
@@ -168,7 +168,8 @@ class Octree {
   const Extent extent_;
   std::vector<Node> nodes_;  ///< breadth first: children after their parents
   std::vector<Block> blocks_;
-  std::vector<Leaf> leafs_;
+  std::unique_ptr<Leaf[]> leafs_;
+  std::size_t leaf_count_ = 0;
   std::vector<std::uint64_t> block_keys_;  ///< sorted; parallel to block_order_
   std::vector<std::uint32_t> block_order_;
   Certainty certainty_;

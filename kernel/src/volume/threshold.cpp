@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "fieldfab/core/error.h"
-#include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
 namespace {
@@ -23,28 +23,40 @@ bool is_small_whole(SampleType type) { return size_of(type) <= 2; }
               fmt::format("the density of sample ({}, {}, {}) is not a finite number", at % width, at / width, slice));
 }
 
+struct Extremes {
+  float least, most;
+};
+
+/// Throws for NaN and infinity.
+Extremes extremes_of(const SampleLattice& lattice, std::size_t k, const float* density) {
+  constexpr std::size_t lanes = 16;  // partial results, for vectorisation
+  std::array<float, lanes> least, most, wild{};
+  least.fill(density[0]), most.fill(density[0]);
+  const auto add = [&](std::size_t lane, float d) {
+    least[lane] = d < least[lane] ? d : least[lane];
+    most[lane] = d > most[lane] ? d : most[lane];
+    wild[lane] += d - d;  // 0, or NaN
+  };
+  const std::size_t n = lattice.slice();
+  std::size_t i = 0;
+  for (; i + lanes <= n; i += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane) add(lane, density[i + lane]);
+  for (; i < n; ++i) add(0, density[i]);
+  if (std::any_of(wild.begin(), wild.end(), [](float w) { return w != 0; }))
+    not_a_number(lattice, k,
+                 static_cast<std::size_t>(
+                     std::find_if(density, density + n, [](float d) { return !std::isfinite(d); }) - density));
+  return {*std::min_element(least.begin(), least.end()), *std::max_element(most.begin(), most.end())};
+}
+
 /// Returns the least and greatest density. Throws for NaN and infinity.
 std::pair<double, double> extent(const Volume& volume, std::size_t memory, Progress& progress) {
-  std::vector<std::pair<float, float>> of_slice(static_cast<std::size_t>(volume.lattice().size[2]));
-  for_slabs(
-      volume, memory, false, progress, "looking at the densities", [&](int first, int count, const float* densities) {
-        parallel_for(static_cast<std::size_t>(count), [&](std::size_t k) {
-          const std::size_t n = volume.lattice().slice();
-          const float* const density = densities + k * n;
-          float least = density[0], most = density[0], wild = 0;
-          for (std::size_t i = 0; i < n; ++i) {
-            least = density[i] < least ? density[i] : least;
-            most = density[i] > most ? density[i] : most;
-            wild += density[i] - density[i];  // 0, or NaN
-          }
-          if (wild != 0)
-            not_a_number(volume.lattice(), static_cast<std::size_t>(first) + k,
-                         static_cast<std::size_t>(
-                             std::find_if(density, density + n, [](float d) { return !std::isfinite(d); }) - density));
-          of_slice[static_cast<std::size_t>(first) + k] = {least, most};
-        });
-      });
-  std::pair<double, double> whole = of_slice[0];
+  std::vector<Extremes> of_slice(static_cast<std::size_t>(volume.lattice().size[2]));
+  for_slices(volume, memory, progress, "looking at the densities",
+             [&](std::size_t /*part*/, std::size_t k, const float* densities) {
+               of_slice[k] = extremes_of(volume.lattice(), k, densities);
+             });
+  std::pair<double, double> whole{of_slice[0].least, of_slice[0].most};
   for (const auto& [least, most] : of_slice)
     whole.first = std::min<double>(whole.first, least), whole.second = std::max<double>(whole.second, most);
   return whole;
@@ -60,17 +72,15 @@ Histogram histogram(const Volume& volume, std::size_t memory, Progress& progress
   const std::size_t bins = whole ? static_cast<std::size_t>(range) + 1 : bins_of_reals;
   histogram.first = whole ? histogram.least - 0.5 : histogram.least;
   histogram.width = whole ? 1 : range > 0 ? range / static_cast<double>(bins) : 1;
-  std::vector<std::vector<std::uint64_t>> of_part(64, std::vector<std::uint64_t>(bins));
-  for_slabs(volume, memory, false, progress, "counting densities", [&](int, int count, const float* densities) {
-    parallel_for(static_cast<std::size_t>(count), [&](std::size_t k) {
-      std::vector<std::uint64_t>& counts = of_part[k];
-      const std::size_t n = volume.lattice().slice();
-      for (std::size_t i = k * n; i < (k + 1) * n; ++i) {
-        const auto bin = static_cast<std::size_t>((densities[i] - histogram.first) / histogram.width);
-        ++counts[std::min(bin, bins - 1)];
-      }
-    });
-  });
+  std::vector<std::vector<std::uint64_t>> of_part(most_parts, std::vector<std::uint64_t>(bins));
+  for_slices(volume, memory, progress, "counting densities",
+             [&](std::size_t part, std::size_t /*k*/, const float* densities) {
+               std::vector<std::uint64_t>& counts = of_part[part];
+               for (std::size_t i = 0; i < volume.lattice().slice(); ++i) {
+                 const auto bin = static_cast<std::size_t>((densities[i] - histogram.first) / histogram.width);
+                 ++counts[std::min(bin, bins - 1)];
+               }
+             });
   histogram.counts.assign(bins, 0);
   for (const auto& counts : of_part)
     for (std::size_t i = 0; i < bins; ++i) histogram.counts[i] += counts[i];

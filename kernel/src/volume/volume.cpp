@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
@@ -254,23 +256,24 @@ std::vector<float> read_all(const Volume& volume, Progress& progress) {
   return densities;
 }
 
-void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& progress, const std::string& what,
-               const std::function<void(int first, int count, const float* densities)>& body) {
+void for_slices(const Volume& volume, std::size_t bytes, Progress& progress, const std::string& what,
+                const std::function<void(std::size_t part, std::size_t k, const float* densities)>& body) {
   const SampleLattice& lattice = volume.lattice();
-  const int last = lattice.size[2], least = shared ? 2 : 1;
-  const auto fitting = static_cast<int>(std::min<std::size_t>(bytes / (lattice.slice() * sizeof(float)), 64));
-  const int most = std::clamp(fitting, least, last);
+  const auto slices = static_cast<std::size_t>(lattice.size[2]);
   // A file can state any size.
-  require_memory(lattice.slice() * static_cast<std::size_t>(most) * sizeof(float), "volume");
-  std::vector<float> slab(lattice.slice() * static_cast<std::size_t>(most));
-  for (int first = 0; first < last - (shared ? 1 : 0);) {
-    progress.check();
-    progress.report(static_cast<double>(first) / last, what);
-    const int count = std::min(most, last - first);
-    volume.read(first, count, slab.data());
-    body(first, count, slab.data());
-    first += shared ? count - 1 : count;
-  }
+  require_memory(lattice.slice() * sizeof(float), "volume");
+  const std::size_t fitting = bytes / (lattice.slice() * sizeof(float));
+  const std::size_t parts = std::clamp(fitting, std::size_t{1}, std::min(slices, most_parts));
+  std::atomic<std::size_t> done{0};
+  parallel_for(parts, [&](std::size_t part) {
+    const auto densities = std::make_unique_for_overwrite<float[]>(lattice.slice());
+    for (std::size_t k = part * slices / parts; k < (part + 1) * slices / parts; ++k) {
+      progress.check();
+      volume.read(static_cast<int>(k), 1, densities.get());
+      body(part, k, densities.get());
+      progress.report(static_cast<double>(++done) / static_cast<double>(slices), what);
+    }
+  });
 }
 
 }  // namespace fieldfab

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "../field/interval_sums.h"
 #include "fieldfab/core/file.h"
@@ -44,8 +45,11 @@ constexpr int block = 8;  // cells per side of a block whose least and greatest 
 /// Trilinear interpolation between samples, which are kept as values of the Field.
 class VolumeField final : public Field {
  public:
-  VolumeField(std::vector<float> samples, const SampleLattice& lattice)
-      : samples_(std::move(samples)), size_(lattice.size), box_(lattice.box()) {
+  VolumeField(std::unique_ptr<const float[]> samples, const SampleLattice& lattice)
+      : samples_(std::move(samples)),
+        size_(lattice.size),
+        stride_{1, static_cast<std::size_t>(size_[0]), lattice.slice()},
+        box_(lattice.box()) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       per_mm_[axis] = static_cast<float>(1 / lattice.spacing[a]);
@@ -61,15 +65,24 @@ class VolumeField final : public Field {
   }
 
   void values(const Points& points, float* out) const noexcept override {
+    // Many points are in rows, and have y and z in common with the one before.
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    std::array<float, 3> before{none, none, none};
+    std::array<Coordinate, 3> at{};
     for (std::size_t i = 0; i < points.count; ++i) {
       const std::array<float, 3> point{points.x[i], points.y[i], points.z[i]};
-      out[i] = std::max(interpolate(find(point)).value, beyond(point).first);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (point[axis] != before[axis]) at[axis] = find(axis, point[axis]);
+      before = point;
+      float farthest = at[0].beyond;
+      for (const std::size_t axis : {1, 2}) farthest = at[axis].beyond <= farthest ? farthest : at[axis].beyond;
+      out[i] = std::max(interpolate(place(at)).value, farthest);
     }
   }
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
     for (std::size_t i = 0; i < points.count; ++i) {
       const std::array<float, 3> point{points.x[i], points.y[i], points.z[i]};
-      const Interpolated here = interpolate(find(point));
+      const Interpolated here = interpolate(place(point));
       const auto [distance, side] = beyond(point);
       const bool capped = distance > here.value;
       out[i] = capped ? distance : here.value;
@@ -114,7 +127,7 @@ class VolumeField final : public Field {
   void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
     const Interval inside = interpolated_over(box), cap = beyond_over(box);
     if (inside.upper >= cap.lower)
-      trilinear_slopes({samples_.data(), size_, box_.lower, per_mm_}, box, directions, out);
+      trilinear_slopes({samples_.get(), size_, box_.lower, per_mm_}, box, directions, out);
     else
       std::fill_n(out.begin(), directions.size(), no_slope);
     if (cap.upper < inside.lower) return;
@@ -170,29 +183,36 @@ class VolumeField final : public Field {
   };
 
   [[nodiscard]] std::size_t index(int i, int j, int k) const {
-    return static_cast<std::size_t>(i) +
-           static_cast<std::size_t>(size_[0]) *
-               (static_cast<std::size_t>(j) + static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(k));
+    return static_cast<std::size_t>(i) + stride_[1] * static_cast<std::size_t>(j) +
+           stride_[2] * static_cast<std::size_t>(k);
   }
 
-  /// A point outside the lattice is moved to the nearest point in it; NaN counts as the lower
-  /// corner.
-  [[nodiscard]] Place find(const std::array<float, 3>& point) const {
-    std::array<int, 3> cell;
-    Place place;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double at = (point[axis] - box_.lower[static_cast<Eigen::Index>(axis)]) * per_mm_[axis];
-      const double inside = at > 0 ? std::min(at, size_[axis] - 1.0) : 0.0;
-      cell[axis] = std::min(static_cast<int>(inside), size_[axis] - 2);
-      place.within[axis] = static_cast<float>(inside - cell[axis]);
-    }
-    place.sample = index(cell[0], cell[1], cell[2]);
-    return place;
+  /// A coordinate of a point.
+  struct Coordinate {
+    std::size_t sample;  ///< offset of the first sample of its cell
+    float within;        ///< 0 to 1
+    float beyond;        ///< distance from the nearer of the two sides of the samples, negative between them
+  };
+
+  /// A point outside the lattice is moved to the nearest point in it; NaN counts as the lower corner.
+  [[nodiscard]] Coordinate find(std::size_t axis, float at) const {
+    const double sample = (at - box_.lower[static_cast<Eigen::Index>(axis)]) * per_mm_[axis];
+    const double inside = sample > 0 ? std::min(sample, size_[axis] - 1.0) : 0.0;
+    const int cell = std::min(static_cast<int>(inside), size_[axis] - 2);
+    const float below = faces_[0][axis] - at, above = at - faces_[1][axis];
+    return {stride_[axis] * static_cast<std::size_t>(cell), static_cast<float>(inside - cell),
+            above > below ? above : below};
+  }
+  [[nodiscard]] static Place place(const std::array<Coordinate, 3>& at) {
+    return {at[0].sample + at[1].sample + at[2].sample, {at[0].within, at[1].within, at[2].within}};
+  }
+  [[nodiscard]] Place place(const std::array<float, 3>& point) const {
+    return place({find(0, point[0]), find(1, point[1]), find(2, point[2])});
   }
 
   [[nodiscard]] Interpolated interpolate(const Place& place) const {
-    const float* const s = samples_.data() + place.sample;
-    const auto row = static_cast<std::size_t>(size_[0]), slice = row * static_cast<std::size_t>(size_[1]);
+    const float* const s = samples_.get() + place.sample;
+    const std::size_t row = stride_[1], slice = stride_[2];
     const auto [u, v, w] = place.within;
     const auto mix = [](float a, float b, float t) { return a + (b - a) * t; };
     const std::array<float, 4> along_x{mix(s[0], s[1], u), mix(s[row], s[row + 1], u), mix(s[slice], s[slice + 1], u),
@@ -250,13 +270,28 @@ class VolumeField final : public Field {
 
   /// Both ends included.
   [[nodiscard]] Extremes samples_between(const std::array<int, 3>& first, const std::array<int, 3>& last) const {
-    Extremes found;
+    constexpr int lanes = 4;  // partial results, for vectorisation
+    std::array<float, lanes> least, most;
+    least.fill(std::numeric_limits<float>::infinity());
+    most.fill(-std::numeric_limits<float>::infinity());
+    const int count = last[0] - first[0] + 1;
+    const auto add = [&](const float* value, std::size_t many) {
+      for (std::size_t lane = 0; lane < many; ++lane) {
+        least[lane] = value[lane] < least[lane] ? value[lane] : least[lane];
+        most[lane] = value[lane] > most[lane] ? value[lane] : most[lane];
+      }
+    };
     for (int k = first[2]; k <= last[2]; ++k)
       for (int j = first[1]; j <= last[1]; ++j) {
-        const float* const row = samples_.data() + index(0, j, k);
-        for (int i = first[0]; i <= last[0]; ++i) found.add(row[i]);
+        const float* const row = samples_.get() + index(first[0], j, k);
+        if (count < lanes) {
+          add(row, static_cast<std::size_t>(count));
+          continue;
+        }
+        for (int i = 0; i < count - lanes; i += lanes) add(row + i, lanes);
+        add(row + count - lanes, lanes);
       }
-    return found;
+    return {*std::min_element(least.begin(), least.end()), *std::max_element(most.begin(), most.end())};
   }
 
   /// Few samples are examined one by one, many by their blocks.
@@ -271,8 +306,9 @@ class VolumeField final : public Field {
     return found;
   }
 
-  std::vector<float> samples_;
+  std::unique_ptr<const float[]> samples_;
   std::array<int, 3> size_;
+  std::array<std::size_t, 3> stride_;
   Box box_;
   std::array<float, 3> per_mm_{};
   std::array<std::array<float, 3>, 2> faces_{};  // end of the solid: lower, upper
@@ -286,11 +322,14 @@ Isosurface isosurface(const Volume& volume, double threshold, bool below) {
   constexpr int most_pairs = 32;
   const SampleLattice& lattice = volume.lattice();
   const int pairs = std::min(lattice.size[2] - 1, most_pairs);
-  std::vector<float> slices(2 * lattice.slice()), steepness;
-  for (int pair = 0; pair < pairs; ++pair) {
-    volume.read(static_cast<int>((pair + 0.5) * (lattice.size[2] - 1) / pairs), 2, slices.data());
-    collect_steepness(lattice, slices.data(), slices.data() + lattice.slice(), threshold, steepness);
-  }
+  std::vector<std::vector<float>> between(static_cast<std::size_t>(pairs));  // steepness, by pair
+  parallel_for(between.size(), [&](std::size_t pair) {
+    std::vector<float> slices(2 * lattice.slice());
+    volume.read(static_cast<int>((static_cast<double>(pair) + 0.5) * (lattice.size[2] - 1) / pairs), 2, slices.data());
+    collect_steepness(lattice, slices.data(), slices.data() + lattice.slice(), threshold, between[pair]);
+  });
+  std::vector<float> steepness;
+  for (const std::vector<float>& some : between) steepness.insert(steepness.end(), some.begin(), some.end());
   if (steepness.empty()) return {threshold, below, 1};
   const auto middle = steepness.begin() + static_cast<std::ptrdiff_t>(steepness.size() / 2);
   std::nth_element(steepness.begin(), middle, steepness.end());
@@ -299,11 +338,13 @@ Isosurface isosurface(const Volume& volume, double threshold, bool below) {
 
 FieldPtr volume_field(const Volume& volume, const Isosurface& surface, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
-  std::vector<float> samples = read_all(volume, progress);
-  progress.check();
+  require_memory(lattice.count() * sizeof(float), "volume");
+  auto samples = std::make_unique_for_overwrite<float[]>(lattice.count());
   parallel_for(static_cast<std::size_t>(lattice.size[2]), [&](std::size_t k) {
-    for (float& sample : std::span(samples).subspan(k * lattice.slice(), lattice.slice()))
-      sample = surface.value(sample);
+    progress.check();
+    const std::span slice(samples.get() + k * lattice.slice(), lattice.slice());
+    volume.read(static_cast<int>(k), 1, slice.data());
+    for (float& sample : slice) sample = surface.value(sample);
   });
   progress.check();
   const FieldPtr solid = std::make_shared<VolumeField>(std::move(samples), lattice);

@@ -86,10 +86,12 @@ VolumePtr respaced(VolumePtr volume, const Vec3& spacing);
 /// Returns all densities, x fastest. Throws Error(too_large) if they exceed the memory, Error(cancelled).
 std::vector<float> read_all(const Volume& volume, Progress& progress = Progress::none());
 
-/// Calls body(first, count, densities) for consecutive ranges of slices, each of at most `bytes` bytes of floats but at
-/// least one slice. If `shared` is set, each range starts with the last slice of the previous one. `what` describes the
-/// work in progress reports. Throws Error(cancelled).
-void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& progress, const std::string& what,
-               const std::function<void(int first, int count, const float* densities)>& body);
+/// Parts that for_slices() makes at most.
+inline constexpr std::size_t most_parts = 64;
+/// Calls body(part, k, densities) for each slice k, in parallel: slices of one part one after the other, each part's
+/// slices follow each other. Slices in memory take at most `bytes` bytes, but at least one slice is. `what` describes
+/// the work in progress reports. Throws Error(cancelled).
+void for_slices(const Volume& volume, std::size_t bytes, Progress& progress, const std::string& what,
+                const std::function<void(std::size_t part, std::size_t k, const float* densities)>& body);
 
 }  // namespace fieldfab
