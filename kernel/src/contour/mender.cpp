@@ -198,7 +198,8 @@ bool Mender::grow(Star& star, std::size_t edge) {
   const std::uint32_t corner = opposite(beyond, a, b);
   if (std::any_of(star.rim.begin(), star.rim.end(), [&](const auto& other) { return other[0] == corner; }))
     return false;
-  if (!local_box_.contains(draft_.at(corner).cast<double>())) return false;
+  // Beyond the region others may change what this would read next, and no change would be accepted.
+  if (!draft_.editor.holds(region_, corner) || !local_box_.contains(draft_.at(corner).cast<double>())) return false;
   star.old.push_back(beyond);
   star.rim[edge] = {a, corner};
   star.rim.push_back({corner, b});

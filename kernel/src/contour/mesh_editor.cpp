@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fieldfab/core/parallel.h"
 #include "fieldfab/mesh/triangle_contact.h"
 
 namespace fieldfab::contouring {
@@ -52,26 +53,64 @@ bool has(const Triangle& triangle, std::uint32_t vertex) {
 
 MeshEditor::MeshEditor(TriangleMesh& mesh, std::span<const std::uint32_t> seeds, double cell, double reach)
     : mesh_(mesh), cell_(cell), fan_of_(mesh.vertices.size(), no_fan) {
-  std::vector<bool> opened(mesh.vertices.size(), false);
+  std::vector<char> opened(mesh.vertices.size(), 0);
   for (const std::uint32_t t : seeds)
-    for (const std::uint32_t vertex : mesh.triangles[t]) opened[vertex] = true;
-  for (const Triangle& triangle : mesh.triangles)
-    if (opened[triangle[0]] || opened[triangle[1]] || opened[triangle[2]])
-      for_cells(box_of(mesh, triangle).grown(static_cast<float>(reach)), cell_,
-                [&](std::uint64_t key) { return triangles_in_.try_emplace(key), true; });
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const FloatBox box = box_of(mesh, mesh.triangles[t]);
+    for (const std::uint32_t vertex : mesh.triangles[t]) opened[vertex] = 1;
+  const auto is_open = [&](std::uint32_t vertex) { return opened[vertex] != 0; };
+  open_cells(is_open, static_cast<float>(reach));
+  list_triangles(is_open);
+}
+
+/// Calls visit(part, triangle) for each triangle, in parallel; the triangles of a part follow each other.
+template <class Visit>
+void MeshEditor::for_triangles(const Visit& visit) const {
+  parallel_for(parts(), [&](std::size_t part) {
+    const std::size_t last = std::min(mesh_.triangles.size(), (part + 1) * triangles_a_part);
+    for (std::size_t t = part * triangles_a_part; t < last; ++t) visit(part, static_cast<std::uint32_t>(t));
+  });
+}
+
+/// Opens the cells near triangles with opened vertices.
+template <class IsOpen>
+void MeshEditor::open_cells(const IsOpen& is_open, float reach) {
+  std::vector<std::vector<std::uint64_t>> keys(parts());
+  for_triangles([&](std::size_t part, std::uint32_t t) {
+    const Triangle& triangle = mesh_.triangles[t];
+    if (std::any_of(triangle.begin(), triangle.end(), is_open))
+      for_cells(box_of(mesh_, triangle).grown(reach), cell_,
+                [&](std::uint64_t key) { return keys[part].push_back(key), true; });
+  });
+  parallel_for(keys.size(), [&](std::size_t part) { sort_and_unite(keys[part]); });
+  for (const std::vector<std::uint64_t>& some : keys)
+    for (const std::uint64_t key : some) triangles_in_.try_emplace(key);
+}
+
+/// Lists the triangles in opened cells and around opened vertices, in the order of their numbers.
+template <class IsOpen>
+void MeshEditor::list_triangles(const IsOpen& is_open) {
+  struct Found {
+    std::vector<std::pair<std::vector<Listed>*, Listed>> in_cells;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> around;  // vertex, triangle
+  };
+  std::vector<Found> found(parts());
+  for_triangles([&](std::size_t part, std::uint32_t t) {
+    const FloatBox box = box_of(mesh_, mesh_.triangles[t]);
     for_cells(box, cell_, [&](std::uint64_t key) {
-      if (const auto found = triangles_in_.find(key); found != triangles_in_.end()) found->second.push_back({box, t});
+      if (const auto cell = triangles_in_.find(key); cell != triangles_in_.end())
+        found[part].in_cells.emplace_back(&cell->second, Listed{box, t});
       return true;
     });
-    for (const std::uint32_t vertex : mesh.triangles[t]) {
-      if (!opened[vertex]) continue;
+    for (const std::uint32_t vertex : mesh_.triangles[t])
+      if (is_open(vertex)) found[part].around.emplace_back(vertex, t);
+  });
+  for (const Found& some : found) {
+    for (const auto& [cell, listed] : some.in_cells) cell->push_back(listed);
+    for (const auto& [vertex, triangle] : some.around) {
       if (fan_of_[vertex] == no_fan) {
         fan_of_[vertex] = static_cast<std::uint32_t>(fans_.size());
         fans_.emplace_back();
       }
-      fans_[fan_of_[vertex]].push_back(t);
+      fans_[fan_of_[vertex]].push_back(triangle);
     }
   }
 }
@@ -94,10 +133,16 @@ bool MeshEditor::sides(std::uint32_t a, std::uint32_t b, std::array<std::uint32_
 Cell MeshEditor::cell_of(const Position& point) const { return cell_at(point, cell_); }
 
 bool MeshEditor::holds_fan(const Region& region, std::uint32_t vertex) const {
-  if (fan(vertex).empty()) return false;
   FloatBox box;
+  box.add(mesh_.vertices[vertex]);
   for (const std::uint32_t t : fan(vertex))
     for (const std::uint32_t corner : mesh_.triangles[t]) box.add(mesh_.vertices[corner]);
+  return contains(region, box, cell_);
+}
+
+bool MeshEditor::holds(const Region& region, std::uint32_t vertex) const {
+  FloatBox box;
+  box.add(mesh_.vertices[vertex]);
   return contains(region, box, cell_);
 }
 

@@ -18,6 +18,12 @@ using Position = std::array<float, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 using Cell = std::array<std::int64_t, 3>;  ///< of a grid that covers space
 
+template <class T>
+void sort_and_unite(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 /// Bounds of triangles, which are exact in floats.
 struct FloatBox {
   Position lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
@@ -61,7 +67,8 @@ class MeshEditor {
   MeshEditor(TriangleMesh& mesh, std::span<const std::uint32_t> seeds, double cell, double reach);
 
   [[nodiscard]] Cell cell_of(const Position& point) const;
-  /// Whether all triangles around a vertex lie in a region.
+  [[nodiscard]] bool holds(const Region& region, std::uint32_t vertex) const;
+  /// Whether a vertex and all triangles in fan() lie in a region.
   [[nodiscard]] bool holds_fan(const Region& region, std::uint32_t vertex) const;
   [[nodiscard]] Box extent(const Region& region) const;
   /// Returns the region of all cells.
@@ -97,6 +104,14 @@ class MeshEditor {
                std::vector<std::uint32_t>& changed);
 
  private:
+  static constexpr std::size_t triangles_a_part = 4096;
+  [[nodiscard]] std::size_t parts() const { return (mesh_.triangles.size() + triangles_a_part - 1) / triangles_a_part; }
+  template <class Visit>
+  void for_triangles(const Visit& visit) const;
+  template <class IsOpen>
+  void open_cells(const IsOpen& is_open, float reach);
+  template <class IsOpen>
+  void list_triangles(const IsOpen& is_open);
   [[nodiscard]] bool fits(Region& region, const Triangle& triangle, std::span<const std::uint32_t> old) const;
   /// A triangle in a cell, and its bounds: searches leave most triangles of a cell at these.
   struct Listed {

@@ -275,46 +275,51 @@ void Octree::halve_neighbours(std::span<Node* const> open, std::vector<std::size
   }
 }
 
+/// Makes the eight children of a cube one patch, if one vertex reproduces them.
+void Octree::merge_children(Node& node, const ContourSettings& settings) {
+  if (node.children < 0) return;
+  const auto first = static_cast<std::size_t>(node.children);
+  std::array<std::uint8_t, 8> corners{};
+  bool all = true;
+  unsigned any = 0, every = 255;
+  for (std::size_t child = 0; child < 8; ++child) {
+    const auto& patch = nodes_[first + child].patch;
+    all = all && patch.has_value();
+    if (!patch) continue;
+    corners[child] = patch->corners;
+    any |= patch->corners;
+    every &= patch->corners;
+  }
+  if (!all) return;
+  if (any == 0 || every == 255) {
+    node.patch = Patch{static_cast<std::uint8_t>(any), {}};
+    return;
+  }
+  if (node.level > extent_.greatest_leaf) return;
+  Patch merged;
+  std::size_t count = 0;
+  for (std::size_t child = 0; child < 8; ++child) count += nodes_[first + child].patch->points.size();
+  merged.points.reserve(count);
+  if (settings.max_error <= 0 || !merge_corners(corners, merged.corners)) return;
+  for (std::size_t child = 0; child < 8; ++child) {
+    const auto& points = nodes_[first + child].patch->points;
+    merged.points.insert(merged.points.end(), points.begin(), points.end());
+  }
+  const Box cell = lattice_.cube(node.lower, node.level);
+  if (is_flat(merged.points, settings.max_error, merged.vertex))
+    thin(merged.points, cell);
+  else if (!reproduces(merged.points, cell, settings, merged.vertex))
+    return;
+  for (std::size_t child = 0; child < 8; ++child) nodes_[first + child].patch->points = {};
+  node.patch = std::move(merged);
+}
+
 /// Returns the leafs that are a block or larger.
 std::vector<Leaf> Octree::merge_blocks(const ContourSettings& settings) {
-  // Children come after their parents, so a backward loop visits them first.
-  for (std::size_t i = nodes_.size(); i-- > 0;) {
-    Node& node = nodes_[i];
-    if (node.children < 0) continue;
-    const auto first = static_cast<std::size_t>(node.children);
-    std::array<std::uint8_t, 8> corners{};
-    bool all = true;
-    unsigned any = 0, every = 255;
-    for (std::size_t child = 0; child < 8; ++child) {
-      const auto& patch = nodes_[first + child].patch;
-      all = all && patch.has_value();
-      if (!patch) continue;
-      corners[child] = patch->corners;
-      any |= patch->corners;
-      every &= patch->corners;
-    }
-    if (!all) continue;
-    if (any == 0 || every == 255) {
-      node.patch = Patch{static_cast<std::uint8_t>(any), {}};
-      continue;
-    }
-    if (node.level > extent_.greatest_leaf) continue;
-    Patch merged;
-    std::size_t count = 0;
-    for (std::size_t child = 0; child < 8; ++child) count += nodes_[first + child].patch->points.size();
-    merged.points.reserve(count);
-    if (settings.max_error <= 0 || !merge_corners(corners, merged.corners)) continue;
-    for (std::size_t child = 0; child < 8; ++child) {
-      const auto& points = nodes_[first + child].patch->points;
-      merged.points.insert(merged.points.end(), points.begin(), points.end());
-    }
-    const Box cell = lattice_.cube(node.lower, node.level);
-    if (is_flat(merged.points, settings.max_error, merged.vertex))
-      thin(merged.points, cell);
-    else if (!reproduces(merged.points, cell, settings, merged.vertex))
-      continue;
-    for (std::size_t child = 0; child < 8; ++child) nodes_[first + child].patch->points = {};
-    node.patch = std::move(merged);
+  // Children come after their parents, and all cubes of a level follow each other.
+  for (std::size_t last = nodes_.size(), first = last; last > 0; last = first) {
+    while (first > 0 && nodes_[first - 1].level == nodes_[last - 1].level) --first;
+    parallel_for(last - first, [&](std::size_t i) { merge_children(nodes_[first + i], settings); });
   }
 
   // A patch that is not part of a larger one is a leaf; the blocks below it get its index.
@@ -336,6 +341,7 @@ std::vector<Leaf> Octree::merge_blocks(const ContourSettings& settings) {
       block.first_leaf = static_cast<std::uint32_t>(leaf_of_node[i]);
     }
   }
+  parallel_for(nodes_.size(), [&](std::size_t i) { nodes_[i].patch.reset(); });
   nodes_ = {};
   return leafs;
 }

@@ -158,6 +158,7 @@ class Octree {
   void halve_neighbours(std::span<Node* const> open, std::vector<std::size_t> active, int finest,
                         const ContourSettings& settings, Progress& progress,
                         std::vector<std::unique_ptr<BlockRefiner>>& refiners);
+  void merge_children(Node& node, const ContourSettings& settings);
   [[nodiscard]] std::vector<Leaf> merge_blocks(const ContourSettings& settings);
   void number_leafs(std::span<const Leaf> of_nodes);
   [[nodiscard]] const Block* block_at(const LatticePoint& lower) const;

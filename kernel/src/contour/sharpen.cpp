@@ -108,7 +108,8 @@ class Sharpener {
     return places;
   }
 
-  /// The vertices, edges and triangles of the open triangles, each once, and close to each other in space.
+  /// The vertices, edges and triangles of the open triangles with a vertex whose triangles are known, each once, and
+  /// close to each other in space.
   std::vector<Flaw> open_places() {
     sort_and_unite(open_);
     std::vector<std::uint32_t> vertices;
@@ -127,6 +128,9 @@ class Sharpener {
     std::vector<Flaw> places;
     places.reserve(vertices.size() + edges.size() + open_.size());
     const auto add = [&](const Triangle& corners, int count) {
+      if (std::all_of(corners.begin(), corners.begin() + count,
+                      [&](std::uint32_t vertex) { return editor_.fan(vertex).empty(); }))
+        return;
       Flaw place{corners, count, 0, {}};
       const Eigen::Vector3f middle = draft_.middle(place);
       place.cell = editor_.cell_of({middle.x(), middle.y(), middle.z()});
@@ -144,12 +148,6 @@ class Sharpener {
     ordered.reserve(places.size());
     for (const auto& [key, i] : order) ordered.push_back(places[i]);
     return ordered;
-  }
-
-  template <class T>
-  static void sort_and_unite(std::vector<T>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
   }
 
   /// Cells with keys close to each other are close to each other, in cubes of `smallest_area`. The key's last bits are
@@ -239,10 +237,10 @@ class Sharpener {
     carry_out(last, false, report);
   }
 
+  /// Whether the known triangles around a flaw lie in a region.
   [[nodiscard]] bool holds(const MeshEditor::Region& region, const Flaw& flaw) const {
-    for (int i = 0; i < flaw.count; ++i)
-      if (!editor_.holds_fan(region, flaw.vertices[static_cast<std::size_t>(i)])) return false;
-    return true;
+    return std::all_of(flaw.vertices.begin(), flaw.vertices.begin() + flaw.count,
+                       [&](std::uint32_t vertex) { return editor_.holds_fan(region, vertex); });
   }
 
   /// Carries out tasks whose regions have no cell in common.
