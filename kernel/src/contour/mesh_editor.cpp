@@ -24,20 +24,6 @@ Cell cell_at(const Position& point, double size) {
   return cell;
 }
 
-/// Calls visit(key) for each cell of that size that the box meets, until one call returns false.
-/// Returns whether none did.
-template <class Visit>
-bool for_cells(const FloatBox& box, double size, const Visit& visit) {
-  const Cell low = cell_at(box.lower, size), high = cell_at(box.upper, size);
-  for (std::int64_t x = low[0]; x <= high[0]; ++x)
-    for (std::int64_t y = low[1]; y <= high[1]; ++y)
-      for (std::int64_t z = low[2]; z <= high[2]; ++z)
-        if (!visit((static_cast<std::uint64_t>(x) & 0x1fffff) << 42 | (static_cast<std::uint64_t>(y) & 0x1fffff) << 21 |
-                   (static_cast<std::uint64_t>(z) & 0x1fffff)))
-          return false;
-  return true;
-}
-
 bool contains(const MeshEditor::Region& region, const FloatBox& box, double size) {
   const Cell low = cell_at(box.lower, size), high = cell_at(box.upper, size);
   for (std::size_t i = 0; i < 3; ++i)
@@ -70,41 +56,46 @@ void MeshEditor::for_triangles(const Visit& visit) const {
   });
 }
 
+/// Calls visit(number) for each cell that the box meets, CellSet::none for those that are not opened, until one call
+/// returns false. Returns whether none did.
+template <class Visit>
+bool MeshEditor::for_cells(const FloatBox& box, const Visit& visit) const {
+  return opened_.for_numbers(cell_at(box.lower, cell_), cell_at(box.upper, cell_), visit);
+}
+
 /// Opens the cells near triangles with opened vertices.
 template <class IsOpen>
 void MeshEditor::open_cells(const IsOpen& is_open, float reach) {
-  std::vector<std::vector<std::uint64_t>> keys(parts());
+  std::vector<CellSet> near(parts());
   for_triangles([&](std::size_t part, std::uint32_t t) {
     const Triangle& triangle = mesh_.triangles[t];
-    if (std::any_of(triangle.begin(), triangle.end(), is_open))
-      for_cells(box_of(mesh_, triangle).grown(reach), cell_,
-                [&](std::uint64_t key) { return keys[part].push_back(key), true; });
+    if (std::none_of(triangle.begin(), triangle.end(), is_open)) return;
+    const FloatBox box = box_of(mesh_, triangle).grown(reach);
+    near[part].add(cell_at(box.lower, cell_), cell_at(box.upper, cell_));
   });
-  parallel_for(keys.size(), [&](std::size_t part) { sort_and_unite(keys[part]); });
-  for (const std::vector<std::uint64_t>& some : keys)
-    for (const std::uint64_t key : some) triangles_in_.try_emplace(key);
+  for (const CellSet& some : near) opened_.add(some);
+  triangles_in_.resize(opened_.number());
 }
 
 /// Lists the triangles in opened cells and around opened vertices, in the order of their numbers.
 template <class IsOpen>
 void MeshEditor::list_triangles(const IsOpen& is_open) {
   struct Found {
-    std::vector<std::pair<std::vector<Listed>*, Listed>> in_cells;
+    std::vector<std::pair<std::uint32_t, Listed>> in_cells;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> around;  // vertex, triangle
   };
   std::vector<Found> found(parts());
   for_triangles([&](std::size_t part, std::uint32_t t) {
     const FloatBox box = box_of(mesh_, mesh_.triangles[t]);
-    for_cells(box, cell_, [&](std::uint64_t key) {
-      if (const auto cell = triangles_in_.find(key); cell != triangles_in_.end())
-        found[part].in_cells.emplace_back(&cell->second, Listed{box, t});
+    for_cells(box, [&](std::uint32_t cell) {
+      if (cell != CellSet::none) found[part].in_cells.emplace_back(cell, Listed{box, t});
       return true;
     });
     for (const std::uint32_t vertex : mesh_.triangles[t])
       if (is_open(vertex)) found[part].around.emplace_back(vertex, t);
   });
   for (const Found& some : found) {
-    for (const auto& [cell, listed] : some.in_cells) cell->push_back(listed);
+    for (const auto& [cell, listed] : some.in_cells) triangles_in_[cell].push_back(listed);
     for (const auto& [vertex, triangle] : some.around) {
       if (fan_of_[vertex] == no_fan) {
         fan_of_[vertex] = static_cast<std::uint32_t>(fans_.size());
@@ -243,8 +234,8 @@ bool MeshEditor::replace(Region& region, std::span<const std::uint32_t> old, std
 
 void MeshEditor::enlist(std::uint32_t triangle) {
   const FloatBox box = box_of(mesh_, mesh_.triangles[triangle]);
-  for_cells(box, cell_, [&](std::uint64_t key) {
-    triangles_in_.at(key).push_back({box, triangle});
+  for_cells(box, [&](std::uint32_t cell) {
+    triangles_in_[cell].push_back({box, triangle});
     return true;
   });
   for (const std::uint32_t vertex : mesh_.triangles[triangle])
@@ -252,9 +243,9 @@ void MeshEditor::enlist(std::uint32_t triangle) {
 }
 
 void MeshEditor::strike(std::uint32_t triangle) {
-  for_cells(box_of(mesh_, mesh_.triangles[triangle]), cell_, [&](std::uint64_t key) {
-    if (const auto found = triangles_in_.find(key); found != triangles_in_.end())
-      std::erase_if(found->second, [&](const Listed& listed) { return listed.triangle == triangle; });
+  for_cells(box_of(mesh_, mesh_.triangles[triangle]), [&](std::uint32_t cell) {
+    if (cell != CellSet::none)
+      std::erase_if(triangles_in_[cell], [&](const Listed& listed) { return listed.triangle == triangle; });
     return true;
   });
   for (const std::uint32_t vertex : mesh_.triangles[triangle])
@@ -267,10 +258,9 @@ bool MeshEditor::fits(Region& region, const Triangle& triangle, std::span<const 
   if (!contains(region, box, cell_)) return false;
   std::vector<std::uint32_t>& near = region.near;
   near.clear();
-  const bool all_open = for_cells(box, cell_, [&](std::uint64_t key) {
-    const auto found = triangles_in_.find(key);
-    if (found == triangles_in_.end()) return false;
-    for (const auto& [its, t] : found->second)
+  const bool all_open = for_cells(box, [&](std::uint32_t cell) {
+    if (cell == CellSet::none) return false;
+    for (const auto& [its, t] : triangles_in_[cell])
       if (box.meets(its) && std::find(near.begin(), near.end(), t) == near.end() &&
           std::find(old.begin(), old.end(), t) == old.end())
         near.push_back(t);

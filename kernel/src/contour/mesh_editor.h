@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
+#include "cell_set.h"
 #include "fieldfab/core/geometry.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
@@ -16,7 +16,6 @@ namespace fieldfab::contouring {
 
 using Position = std::array<float, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
-using Cell = std::array<std::int64_t, 3>;  ///< of a grid that covers space
 
 template <class T>
 void sort_and_unite(std::vector<T>& values) {
@@ -108,6 +107,8 @@ class MeshEditor {
   [[nodiscard]] std::size_t parts() const { return (mesh_.triangles.size() + triangles_a_part - 1) / triangles_a_part; }
   template <class Visit>
   void for_triangles(const Visit& visit) const;
+  template <class Visit>
+  bool for_cells(const FloatBox& box, const Visit& visit) const;
   template <class IsOpen>
   void open_cells(const IsOpen& is_open, float reach);
   template <class IsOpen>
@@ -123,8 +124,8 @@ class MeshEditor {
 
   TriangleMesh& mesh_;
   double cell_;
-  /// By cell, opened ones only.
-  std::unordered_map<std::uint64_t, std::vector<Listed>> triangles_in_;
+  CellSet opened_;
+  std::vector<std::vector<Listed>> triangles_in_;  ///< by opened cell
   /// By vertex: index into fans_, or none.
   std::vector<std::uint32_t> fan_of_;
   std::vector<std::vector<std::uint32_t>> fans_;
