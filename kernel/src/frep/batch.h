@@ -21,7 +21,7 @@ struct BatchRun {
   const float* z;
   std::size_t count;   ///< number of points, at most `stride`
   float* scratch;      ///< slots * stride floats; for gradients 4 * slots * stride
-  std::size_t stride;  ///< floats between slots
+  std::size_t stride;  ///< floats between slots; for gradients 64
 };
 
 /// Number of boxes whose intervals are evaluated together, one per lane.

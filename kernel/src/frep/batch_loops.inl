@@ -136,16 +136,6 @@ void run_values(const BatchRun& run, float* out) {
   copy_root(argument(run, run.root, run.stride), out, run.count);
 }
 
-constexpr std::size_t gradient_points = 64;
-
-/// Returns an argument as an array; fills `space` with a number.
-const float* as_array(const Argument& argument, float* space, std::size_t n) {
-  if (argument.array != nullptr) return argument.array;
-  FIELDFAB_EACH
-  for (std::size_t i = 0; i < n; ++i) space[i] = argument.number;
-  return space;
-}
-
 /// Partial derivatives of one operation at n points; one loop per operation, for vectorisation.
 template <Opcode op>
 void partial_loop(const float* a, const float* b, const float* value, float* da, float* db, std::size_t n) {
@@ -203,77 +193,131 @@ struct Dual {
   const float* slope[3];
 };
 
-/// Slopes of op(a, b) along one axis. The most frequent operations have their own loops, with the
-/// same bits as chain().
-void run_slopes(Opcode op, const Dual& a, const Dual& b, const float* da, const float* db, int axis, float* out,
-                std::size_t n) {
-  const float* ga = a.slope[axis];
-  const float* gb = b.slope[axis];
-  const float* va = a.value;
-  const float* vb = b.value;
+/// op(a, b) for the operations that run_dual() has loops of.
+template <Opcode op>
+[[gnu::always_inline]] inline float value_at(float a, float b) {
   switch (op) {
-    case Opcode::add:
-      FIELDFAB_EACH
-      for (std::size_t i = 0; i < n; ++i) out[i] = ga[i] + gb[i];
-      break;
-    case Opcode::subtract:
-      FIELDFAB_EACH
-      for (std::size_t i = 0; i < n; ++i) out[i] = ga[i] - gb[i];
-      break;
-    case Opcode::minimum:
-      FIELDFAB_EACH
-      for (std::size_t i = 0; i < n; ++i) out[i] = (va[i] <= vb[i] ? ga[i] : gb[i]) + 0.0F;
-      break;
-    case Opcode::maximum:
-      FIELDFAB_EACH
-      for (std::size_t i = 0; i < n; ++i) out[i] = (va[i] >= vb[i] ? ga[i] : gb[i]) + 0.0F;
-      break;
-    case Opcode::multiply:
-      FIELDFAB_EACH
-      for (std::size_t i = 0; i < n; ++i) out[i] = chain(vb[i], ga[i], va[i], gb[i]);
-      break;
-    default:
-      FIELDFAB_EACH
-      for (std::size_t i = 0; i < n; ++i) out[i] = chain(da[i], ga[i], db[i], gb[i]);
+    case Opcode::add: return a + b;
+    case Opcode::subtract: return a - b;
+    case Opcode::multiply: return a * b;
+    case Opcode::divide: return a / b;
+    case Opcode::minimum: return a != a ? quiet_nan : (a <= b ? a : b);
+    case Opcode::maximum: return a != a ? quiet_nan : (a >= b ? a : b);
+    case Opcode::negate: return -a;
+    case Opcode::absolute: return __builtin_fabsf(a);
+    case Opcode::square: return a * a;
+    default: return __builtin_sqrtf(a);
   }
 }
 
-constexpr bool needs_partials(Opcode op) {
-  return op != Opcode::add && op != Opcode::subtract && op != Opcode::minimum && op != Opcode::maximum &&
-         op != Opcode::multiply;
+/// The slope of op(a, b) along an axis, from those of a and b. The most frequent operations need no product, and have
+/// the same bits as chain().
+template <Opcode op>
+[[gnu::always_inline]] inline float slope_at(float a, float b, float value, float ga, float gb) {
+  if (op == Opcode::add) return ga + gb;
+  if (op == Opcode::subtract) return ga - gb;
+  if (op == Opcode::minimum) return (a <= b ? ga : gb) + 0.0F;
+  if (op == Opcode::maximum) return (a >= b ? ga : gb) + 0.0F;
+  const Partials d = partials(op, a, b, value);
+  return chain(d.a, ga, d.b, gb);
 }
 
-/// Forward differentiation: each slot holds a value and three slopes, `stride` floats each.
-void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float* dz) {
-  const std::size_t stride = run.stride, n = run.count;
-  float da[gradient_points], db[gradient_points], value[gradient_points], a_space[gradient_points],
-      b_space[gradient_points];
-  float zeros[gradient_points], ones[gradient_points];
-  for (std::size_t i = 0; i < gradient_points; ++i) zeros[i] = 0, ones[i] = 1;
-  const auto slope = [&](Operand operand, int axis) -> const float* {
-    if (is_constant(operand)) return zeros;
-    if (operand < first_value) return static_cast<int>(operand) == axis ? ones : zeros;
-    return run.scratch + (4 * run.code[operand - first_value].slot + static_cast<std::size_t>(axis) + 1) * stride;
-  };
-  const auto dual = [&](Operand operand, const Argument& argument, float* space) -> Dual {
-    return {as_array(argument, space, n), {slope(operand, 0), slope(operand, 1), slope(operand, 2)}};
+/// Writes op(a, b) and its slopes for n points, `stride` floats between them. The result may be `a` or `b` itself: all
+/// of a point is read before it is written.
+template <Opcode op, std::size_t n>
+void differentiate(const Dual& a, const Dual& b, float* made, std::size_t stride) {
+  const float *const va = a.value, *const vb = b.value;
+  const float *const ax = a.slope[0], *const ay = a.slope[1], *const az = a.slope[2];
+  const float *const bx = b.slope[0], *const by = b.slope[1], *const bz = b.slope[2];
+  float *const x = made + stride, *const y = x + stride, *const z = y + stride;
+  FIELDFAB_EACH
+  for (std::size_t i = 0; i < n; ++i) {
+    const float value = value_at<op>(va[i], vb[i]);
+    const float dx = slope_at<op>(va[i], vb[i], value, ax[i], bx[i]),
+                dy = slope_at<op>(va[i], vb[i], value, ay[i], by[i]),
+                dz = slope_at<op>(va[i], vb[i], value, az[i], bz[i]);
+    made[i] = value, x[i] = dx, y[i] = dy, z[i] = dz;
+  }
+}
+
+/// The same for any operation; the most frequent ones have loops of their own.
+template <std::size_t n>
+void run_dual(Opcode op, const Dual& a, const Dual& b, float* made, std::size_t stride) {
+#define FIELDFAB_OWN_LOOP(name) \
+  case Opcode::name: return differentiate<Opcode::name, n>(a, b, made, stride);
+  switch (op) {
+    FIELDFAB_OWN_LOOP(add)
+    FIELDFAB_OWN_LOOP(subtract)
+    FIELDFAB_OWN_LOOP(multiply)
+    FIELDFAB_OWN_LOOP(divide)
+    FIELDFAB_OWN_LOOP(minimum)
+    FIELDFAB_OWN_LOOP(maximum)
+    FIELDFAB_OWN_LOOP(negate)
+    FIELDFAB_OWN_LOOP(absolute)
+    FIELDFAB_OWN_LOOP(square)
+    FIELDFAB_OWN_LOOP(square_root)
+    default: break;
+  }
+#undef FIELDFAB_OWN_LOOP
+  float value[n], da[n], db[n];
+  run_clause(op, {a.value, 0}, {b.value, 0}, value, n);
+  run_partials(op, a.value, b.value, value, da, db, n);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float *const ga = a.slope[axis], *const gb = b.slope[axis];
+    float* const out = made + (axis + 1) * stride;
+    FIELDFAB_EACH
+    for (std::size_t i = 0; i < n; ++i) out[i] = chain(da[i], ga[i], db[i], gb[i]);
+  }
+  FIELDFAB_EACH
+  for (std::size_t i = 0; i < n; ++i) made[i] = value[i];
+}
+
+/// run_gradients() for as many points as is rounded up to n, so that loops have no ends of their own: most batches have
+/// 8 points, the corners of a box, or 27.
+template <std::size_t n>
+void run_gradients_of(const BatchRun& run, float* out, float* dx, float* dy, float* dz) {
+  const std::size_t stride = run.stride;
+  float zeros[n], ones[n], numbers[2][n], padded[3][n];
+  const float* coordinates[3] = {run.x, run.y, run.z};
+  for (std::size_t i = 0; i < n; ++i) zeros[i] = 0, ones[i] = 1;
+  if (run.count < n)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < n; ++i) padded[axis][i] = coordinates[axis][i < run.count ? i : run.count - 1];
+      coordinates[axis] = padded[axis];
+    }
+  const auto dual = [&](Operand operand, float* space) -> Dual {
+    if (is_constant(operand)) {
+      const float number = run.constants[operand & ~constant_bit];
+      for (std::size_t i = 0; i < n; ++i) space[i] = number;
+      return {space, {zeros, zeros, zeros}};
+    }
+    if (operand < first_value) {
+      Dual coordinate{coordinates[operand], {zeros, zeros, zeros}};
+      coordinate.slope[operand] = ones;
+      return coordinate;
+    }
+    const float* const slot = run.scratch + 4 * run.code[operand - first_value].slot * stride;
+    return {slot, {slot + stride, slot + 2 * stride, slot + 3 * stride}};
   };
   for (std::size_t c = 0; c < run.clauses; ++c) {
     const Clause& clause = run.code[c];
-    const Argument first = argument(run, clause.a, 4 * stride), second = argument(run, clause.b, 4 * stride);
-    run_clause(clause.op, first, second, value, n);
-    const Dual a = dual(clause.a, first, a_space), b = dual(clause.b, second, b_space);
-    if (needs_partials(clause.op)) run_partials(clause.op, a.value, b.value, value, da, db, n);
-    float* made = run.scratch + 4 * clause.slot * stride;
-    for (int axis = 0; axis < 3; ++axis)
-      run_slopes(clause.op, a, b, da, db, axis, made + static_cast<std::size_t>(axis + 1) * stride, n);
-    FIELDFAB_EACH
-    for (std::size_t i = 0; i < n; ++i) made[i] = value[i];
+    run_dual<n>(clause.op, dual(clause.a, numbers[0]), dual(clause.b, numbers[1]),
+                run.scratch + 4 * clause.slot * stride, stride);
   }
-  copy_root(argument(run, run.root, 4 * stride), out, n);
-  copy_root({slope(run.root, 0), 0}, dx, n);
-  copy_root({slope(run.root, 1), 0}, dy, n);
-  copy_root({slope(run.root, 2), 0}, dz, n);
+  const Dual root = dual(run.root, numbers[0]);
+  copy_root({root.value, 0}, out, run.count);
+  copy_root({root.slope[0], 0}, dx, run.count);
+  copy_root({root.slope[1], 0}, dy, run.count);
+  copy_root({root.slope[2], 0}, dz, run.count);
+}
+
+/// Forward differentiation: each slot holds a value and three slopes, `stride` floats each, at least the number of
+/// points rounded up to 8, 16, 32 or 64.
+void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float* dz) {
+  if (run.count <= 8) return run_gradients_of<8>(run, out, dx, dy, dz);
+  if (run.count <= 16) return run_gradients_of<16>(run, out, dx, dy, dz);
+  if (run.count <= 32) return run_gradients_of<32>(run, out, dx, dy, dz);
+  run_gradients_of<64>(run, out, dx, dy, dz);
 }
 
 /// One operation for machine code (see RegisterFunction).
