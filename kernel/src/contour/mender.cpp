@@ -127,19 +127,25 @@ bool Mender::place(const Star& star, const Flaw& flaw, const Misfit& before) {
   const Eigen::Vector3f centre = draft_.middle(flaw);
   Position& position = draft_.mesh.vertices[star.vertex];
   const Position start = position;
-  const auto features = features_near(*local_, local_box_, centre, draft_.voxel, near_reaches, search_);
-  const bool thin = search_.least_cosine() < thin_cosine;
   constexpr int most_tries = 2;
-  for (std::size_t i = 0, tries = 0; i < near_reaches.size() && tries < most_tries; ++i) {
-    if (place_on(star, features[i], near_reaches[i] * draft_.voxel, before)) return true;
-    if (is_sharp(features[i])) ++tries;
+  int tries = 0;
+  bool thin = false;
+  for (const float voxels : near_reaches) {
+    // The last search also tells whether to look farther away.
+    const bool last = voxels == near_reaches.back();
+    if (tries == most_tries && !last) continue;
+    const float reach = voxels * draft_.voxel;
+    const PlacedVertex feature = feature_near(*local_, local_box_, centre, reach, search_);
+    if (last) thin = search_.least_cosine() < thin_cosine;
+    if (tries == most_tries) break;
+    if (place_on(star, feature, reach, before)) return true;
+    if (is_sharp(feature)) ++tries;
   }
   if (thin) {
     position = start;
     confine(flaw, far_reach);
-    const PlacedVertex far =
-        features_near(*local_, local_box_, centre, draft_.voxel, std::span(&far_reach, 1), search_).front();
-    if (place_on(star, far, far_reach * draft_.voxel, before)) return true;
+    const float reach = far_reach * draft_.voxel;
+    if (place_on(star, feature_near(*local_, local_box_, centre, reach, search_), reach, before)) return true;
   }
   position = start;
   return false;
@@ -150,9 +156,8 @@ bool Mender::place_on(const Star& star, PlacedVertex target, float reach, const 
   if (draft_.features_only && !is_sharp(target)) return false;
   // A curved crease is located better from nearer planes.
   if (is_sharp(target)) {
-    const float nearer = 0.25F * reach;
     const PlacedVertex closer =
-        features_near(*local_, local_box_, target.position.cast<float>(), 1, std::span(&nearer, 1), search_).front();
+        feature_near(*local_, local_box_, target.position.cast<float>(), 0.25F * reach, search_);
     if (is_sharp(closer)) target = closer;
   }
   if (!local_box_.contains(target.position)) return false;

@@ -21,23 +21,22 @@ float FeatureSearch::least_cosine() const {
   return least;
 }
 
-std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre, float unit,
-                                        std::span<const float> reaches, FeatureSearch& search) {
-  constexpr std::size_t directions = 27;
+PlacedVertex feature_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre, float reach,
+                          FeatureSearch& search) {
+  constexpr int directions = 27;
   Samples& around = search.around;
   around.clear();
-  for (const float units : reaches)
-    for (int i = 0; i < static_cast<int>(directions); ++i) {
-      Eigen::Vector3f direction = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<float>();
-      if (!direction.isZero(0)) direction.normalize();
-      around.add(centre + units * unit * direction);
-    }
+  for (int i = 0; i < directions; ++i) {
+    Eigen::Vector3f direction = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<float>();
+    if (!direction.isZero(0)) direction.normalize();
+    around.add(centre + reach * direction);
+  }
   constexpr int newton_steps = 3;
   around.ask(solid);
   for (int step = 0; step < newton_steps; ++step) {
     bool settled = true;
     for (std::size_t i = 0; i < around.size(); ++i) {
-      const float reach = unit * reaches[i / directions], length = around.slope(i).norm();
+      const float length = around.slope(i).norm();
       settled = settled && std::abs(around.distance(i)) < 1e-4F * reach;
       if (length > 0 && std::isfinite(length))
         around.step(i, -std::clamp(around.distance(i), -reach, reach) / length * around.slope(i));
@@ -45,24 +44,16 @@ std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, co
     if (settled) break;
     around.ask(solid);
   }
-  std::vector<PlacedVertex> features;
   std::vector<SurfacePoint>& found = search.found;
-  const Vec3 middle = centre.cast<double>();
-  for (std::size_t r = 0; r < reaches.size(); ++r) {
-    const float reach = unit * reaches[r];
-    found.clear();
-    for (std::size_t i = directions * r; i < directions * (r + 1); ++i) {
-      const float length = around.slope(i).norm();
-      if (length > 0 && std::isfinite(length) && std::abs(around.distance(i)) < 0.01F * reach &&
-          (around.point(i) - centre).squaredNorm() < 4 * reach * reach &&
-          known.contains(around.point(i).cast<double>()))
-        found.push_back({around.point(i), around.slope(i) / length});
-    }
-    const Vec3 side = Vec3::Constant(1.5 * static_cast<double>(reach));
-    features.push_back(found.empty() ? PlacedVertex{middle, 0, 0}
-                                     : place_vertex(found, {middle - side, middle + side}));
+  found.clear();
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const float length = around.slope(i).norm();
+    if (length > 0 && std::isfinite(length) && std::abs(around.distance(i)) < 0.01F * reach &&
+        (around.point(i) - centre).squaredNorm() < 4 * reach * reach && known.contains(around.point(i).cast<double>()))
+      found.push_back({around.point(i), around.slope(i) / length});
   }
-  return features;
+  const Vec3 middle = centre.cast<double>(), side = Vec3::Constant(1.5 * static_cast<double>(reach));
+  return found.empty() ? PlacedVertex{middle, 0, 0} : place_vertex(found, {middle - side, middle + side});
 }
 
 }  // namespace fieldfab::contouring

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
 #include "fieldfab/field/field.h"
@@ -28,20 +27,19 @@ class Samples {
   std::vector<float> x_, y_, z_, value_, dx_, dy_, dz_;
 };
 
-/// Working memory of features_near().
+/// Working memory of feature_near().
 struct FeatureSearch {
   Samples around;
-  std::vector<SurfacePoint> found;  ///< within the last reach
+  std::vector<SurfacePoint> found;  ///< by the last search
 
   /// Returns the cosine of the greatest angle between the first normal found and another.
   [[nodiscard]] float least_cosine() const;
 };
 
-/// Returns the sharpest feature of the solid within each of `reaches`, in units of `unit` mm, of
-/// `centre`. Searches the surface in all directions around the centre; the tangent planes found
-/// decide between a corner, an edge and one smooth surface. Only points in `known`, in which the
-/// Field may be evaluated, count.
-std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre, float unit,
-                                        std::span<const float> reaches, FeatureSearch& search);
+/// Returns the sharpest feature of the solid within `reach` mm of `centre`. Searches the surface in
+/// all directions around the centre; the tangent planes found decide between a corner, an edge and
+/// one smooth surface. Only points in `known`, in which the Field may be evaluated, count.
+PlacedVertex feature_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre, float reach,
+                          FeatureSearch& search);
 
 }  // namespace fieldfab::contouring

@@ -34,6 +34,10 @@ std::uint16_t mark_needed(const Tape& tape, const Choice* choices, std::vector<s
   for (std::size_t i = tape.code.size(); i-- > 0;) {
     const Clause& clause = tape.code[i];
     const std::uint16_t here = lanes[first_value + i];
+    if (here == 0) {  // one branch on data: unneeded clauses follow each other
+      simpler = 0xffff;
+      continue;
+    }
     simpler |= ~here | choices[i].first | choices[i].second;
     lanes[place_of(clause.a)] |= static_cast<std::uint16_t>(here & ~(choices[i].second & ~choices[i].first));
     lanes[place_of(clause.b)] |= static_cast<std::uint16_t>(here & ~choices[i].first);
