@@ -32,9 +32,10 @@ Eigen::Vector3f Draft::middle(const Flaw& flaw) const {
   return sum / static_cast<float>(flaw.count);
 }
 
-Mender::Mender(Draft& draft, MeshEditor::Region& region, bool confined) : draft_(draft), region_(region) {
-  region_box_ = confined ? draft.editor.extent(region) : Box::everything();
-  region_field_ = confined ? draft.solid.restricted(region_box_).field : RestrictedField(draft.solid);
+std::size_t Surroundings::cost() const {
+  std::size_t sum = field->cost();
+  for (const auto& [cell, block] : blocks) sum += block.field->cost();
+  return sum;
 }
 
 /// Restricts the solid to everything that mending a flaw may touch: the triangles around it, and
@@ -47,24 +48,24 @@ void Mender::confine(const Flaw& flaw, float reach) {
       for (const std::uint32_t vertex : draft_.mesh.triangles[t]) local_box_ = united(local_box_, draft_.at(vertex));
   local_box_ = local_box_.grown(1.1 * static_cast<double>(reach * draft_.voxel));
   const auto holds = [&](const Box& box) { return box.contains(local_box_.lower) && box.contains(local_box_.upper); };
-  const Block& block = block_of(flaw.cell);
-  local_ = (holds(block.box)     ? *block.field
-            : holds(region_box_) ? *region_field_
-                                 : draft_.solid)
+  const Surroundings::Block& block = block_of(flaw.cell);
+  local_ = (holds(block.box)           ? *block.field
+            : holds(surroundings_.box) ? *surroundings_.field
+                                       : draft_.solid)
                .restricted(local_box_)
                .field;
 }
 
 /// Returns the solid in two cells along each axis and one cell around them; all are in the region.
-const Mender::Block& Mender::block_of(const Cell& cell) {
+const Surroundings::Block& Mender::block_of(const Cell& cell) {
   Cell lower = cell;
   for (std::int64_t& place : lower) place &= ~std::int64_t{1};
-  Block& block = blocks_[lower];
+  Surroundings::Block& block = surroundings_.blocks[lower];
   if (!block.field) {
     MeshEditor::Region region{lower, lower, {}, {}, {}};
     for (std::size_t i = 0; i < 3; ++i) region.lower[i] -= 1, region.upper[i] += 3;
     block.box = draft_.editor.extent(region);
-    block.field = region_field_->restricted(block.box).field;
+    block.field = surroundings_.field->restricted(block.box).field;
   }
   return block;
 }

@@ -34,12 +34,26 @@ struct Draft {
   [[nodiscard]] Eigen::Vector3f middle(const Flaw& flaw) const;
 };
 
+/// The solid around the flaws of a region, restricted to it, and to blocks of its cells as they are needed.
+struct Surroundings {
+  struct Block {
+    Box box;
+    FieldPtr field;  ///< the solid in the box
+  };
+  Box box;
+  FieldPtr field;  ///< the solid in the box
+  std::map<Cell, Block> blocks;
+
+  /// Returns the cost of all Fields.
+  [[nodiscard]] std::size_t cost() const;
+};
+
 /// Mends flaws of one region, one after the other. Others may mend flaws of other regions at the
 /// same time.
 class Mender {
  public:
-  /// `confined` tells whether the region is a part of space only.
-  Mender(Draft& draft, MeshEditor::Region& region, bool confined);
+  Mender(Draft& draft, MeshEditor::Region& region, Surroundings& surroundings)
+      : draft_(draft), region_(region), surroundings_(surroundings) {}
 
   /// Moves a vertex, flips an edge, or divides an edge or a triangle, if that brings the mesh closer
   /// to the surface. Returns whether that was tried: false if the flaw was mended with another.
@@ -70,12 +84,7 @@ class Mender {
     std::uint32_t one, other;  ///< the opposite vertices
   };
 
-  struct Block {
-    Box box;
-    FieldPtr field;  ///< the solid in the box
-  };
-
-  const Block& block_of(const Cell& cell);
+  const Surroundings::Block& block_of(const Cell& cell);
   void confine(const Flaw& flaw, float reach);
   void move(const Flaw& flaw);
   bool flip(const Diamond& diamond, Misfit& before);
@@ -95,9 +104,7 @@ class Mender {
 
   Draft& draft_;
   MeshEditor::Region& region_;
-  Box region_box_;
-  FieldPtr region_field_;  ///< the solid inside `region_box_`
-  std::map<Cell, Block> blocks_;
+  Surroundings& surroundings_;
   Box local_box_;
   FieldPtr local_;   ///< the solid inside `local_box_`, the surroundings of the current flaw
   Samples scratch_;  ///< of the last measure()

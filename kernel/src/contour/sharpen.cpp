@@ -25,10 +25,10 @@ constexpr std::size_t kinds_of_area = 8;
 /// The area of a flaw: first whether it is odd along each axis, then its place.
 using Area = std::array<std::int64_t, 4>;
 
-Area area_of(const Flaw& flaw, std::int64_t side) {
+Area area_of(const Cell& cell, std::int64_t side) {
   Area area{};
   for (std::size_t i = 0; i < 3; ++i) {
-    area[i + 1] = flaw.cell[i] / side - (flaw.cell[i] % side < 0 ? 1 : 0);
+    area[i + 1] = cell[i] / side - (cell[i] % side < 0 ? 1 : 0);
     area[0] |= (area[i + 1] & 1) << i;
   }
   return area;
@@ -95,6 +95,7 @@ class Sharpener {
   /// Returns the vertices, edges and triangles of the open triangles that are off by more than the
   /// tolerance: vertices first, then edges, then triangles; the largest error first.
   std::vector<Flaw> find_flaws() {
+    bound_kept();
     std::vector<Flaw> places = open_places();
     std::erase_if(places, [&](const Flaw& flaw) { return tried_.contains(key_of(flaw)); });
     measure(places);
@@ -164,24 +165,29 @@ class Sharpener {
     return key;
   }
 
-  /// Measures how far places are off the surface; first the solid is restricted to a cube, then to neighbours in it.
-  void measure(std::vector<Flaw>& places) const {
+  /// Measures how far places are off the surface; the solid is restricted to an area, then to neighbours in it.
+  void measure(std::vector<Flaw>& places) {
     const auto cube_of = [&](std::size_t i) { return near_key(places[i].cell) >> (3 * bits_in_cube); };
     std::vector<std::size_t> cubes;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (i == 0 || cube_of(i) != cube_of(i - 1)) cubes.push_back(i);
     cubes.push_back(places.size());
+    const auto area = [&](std::size_t cube) { return area_of(places[cubes[cube]].cell, smallest_area); };
+    for (std::size_t cube = 0; cube + 1 < cubes.size(); ++cube) kept_[area(cube)];
     parallel_for(cubes.size() - 1, [&](std::size_t cube) {
       progress_.check();
       const std::span<Flaw> inside{places.data() + cubes[cube], places.data() + cubes[cube + 1]};
-      const FieldPtr solid = draft_.solid.restricted(box_of(inside)).field;
+      const Surroundings& surroundings = kept_around(area(cube));
+      const Box box = box_of(inside);
+      const bool held = surroundings.box.contains(box.lower) && surroundings.box.contains(box.upper);
+      const Field& solid = held ? *surroundings.field : draft_.solid;
       constexpr std::size_t neighbours = 64;
       Samples samples;
       for (std::size_t first = 0; first < inside.size(); first += neighbours) {
         const std::span<Flaw> some = inside.subspan(first, std::min(neighbours, inside.size() - first));
         samples.clear();
         for (const Flaw& place : some) samples.add(draft_.middle(place));
-        samples.ask(*solid->restricted(box_of(some)).field);
+        samples.ask(*solid.restricted(box_of(some)).field);
         for (std::size_t i = 0; i < some.size(); ++i) some[i].error = std::abs(samples.distance(i));
       }
     });
@@ -206,6 +212,7 @@ class Sharpener {
   /// Flaws of one area, in order.
   struct Task {
     MeshEditor::Region region;
+    Surroundings* kept;  ///< null: not kept
     std::vector<const Flaw*> flaws;
     std::vector<char> tried;          ///< by flaw
     std::vector<std::uint32_t> made;  ///< triangles
@@ -218,23 +225,24 @@ class Sharpener {
     for (const Flaw& flaw : flaws) left.push_back(&flaw);
     for (std::int64_t side = smallest_area; side <= largest_area && !left.empty(); side *= larger) {
       std::map<Area, std::vector<const Flaw*>> areas;
-      for (const Flaw* flaw : left) areas[area_of(*flaw, side)].push_back(flaw);
+      for (const Flaw* flaw : left) areas[area_of(flaw->cell, side)].push_back(flaw);
       left.clear();
       auto area = areas.begin();
       for (std::size_t kind = 0; kind < kinds_of_area; ++kind) {
         std::vector<Task> tasks;
         for (; area != areas.end() && static_cast<std::size_t>(area->first[0]) == kind; ++area) {
-          Task task{region_of(area->first, side), {}, {}, {}};
+          Task task{region_of(area->first, side), side == smallest_area ? &kept_[area->first] : nullptr, {}, {}, {}};
           for (const Flaw* flaw : area->second) (holds(task.region, *flaw) ? task.flaws : left).push_back(flaw);
           if (!task.flaws.empty()) tasks.push_back(std::move(task));
         }
-        carry_out(tasks, true, report);
+        carry_out(tasks, report);
       }
     }
     if (left.empty()) return;
     std::vector<Task> last(1);
-    last[0] = {MeshEditor::everything(), std::move(left), {}, {}};
-    carry_out(last, false, report);
+    Surroundings everything{Box::everything(), RestrictedField(draft_.solid), {}};
+    last[0] = {MeshEditor::everything(), &everything, std::move(left), {}, {}};
+    carry_out(last, report);
   }
 
   /// Whether the known triangles around a flaw lie in a region.
@@ -245,12 +253,15 @@ class Sharpener {
 
   /// Carries out tasks whose regions have no cell in common.
   template <class Report>
-  void carry_out(std::vector<Task>& tasks, bool confined, const Report& report) {
+  void carry_out(std::vector<Task>& tasks, const Report& report) {
     for (Task& task : tasks) editor_.supply(task.region, task.flaws.front()->count > 1 ? task.flaws.size() : 0);
     draft_.moved.resize(draft_.mesh.vertices.size(), 0);
     parallel_for(tasks.size(), [&](std::size_t i) {
       Task& task = tasks[i];
-      Mender mender(draft_, task.region, confined);
+      Surroundings own;
+      Surroundings& surroundings = task.kept != nullptr ? *task.kept : own;
+      fill(surroundings, task.region);
+      Mender mender(draft_, task.region, surroundings);
       for (const Flaw* flaw : task.flaws) {
         if (done_++ % 16 == 0) report();
         task.tried.push_back(mender.mend(*flaw) ? 1 : 0);
@@ -265,12 +276,33 @@ class Sharpener {
     }
   }
 
+  void fill(Surroundings& surroundings, const MeshEditor::Region& region) const {
+    if (surroundings.field) return;
+    surroundings.box = editor_.extent(region);
+    surroundings.field = draft_.solid.restricted(surroundings.box).field;
+  }
+  /// The surroundings of a smallest area, which kept_ has a place for.
+  Surroundings& kept_around(const Area& area) {
+    Surroundings& surroundings = kept_.at(area);
+    fill(surroundings, region_of(area, smallest_area));
+    return surroundings;
+  }
+  /// Forgets what is kept if it is more than fits in some 100 MB.
+  void bound_kept() {
+    constexpr std::size_t most = 4'000'000;  // operations
+    std::size_t cost = 0;
+    for (const auto& [area, surroundings] : kept_)
+      if (surroundings.field) cost += surroundings.cost();
+    if (cost > most) kept_.clear();
+  }
+
   Progress& progress_;
   MeshEditor editor_;
   Draft draft_;
   std::vector<std::uint32_t> open_;          ///< triangles still to be examined
   std::vector<char> examined_;               ///< by triangle: whether it was, since it was made
   std::unordered_set<std::uint64_t> tried_;  ///< flaws, so that none is tried forever
+  std::map<Area, Surroundings> kept_;        ///< by smallest area
   std::atomic<std::size_t> done_ = 0;        ///< flaws of this round
 };
 
