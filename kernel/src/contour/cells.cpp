@@ -31,9 +31,10 @@ constexpr std::uint32_t first_new = 1U << 31;
 
 class CellFiller {
  public:
+  /// `leafs`: those that are to be filled.
   CellFiller(const Field& solid, const Lattice& lattice, const Curves& curves, const ContourSettings& settings,
-             Piece& piece)
-      : solid_(solid), lattice_(lattice), curves_(curves), settings_(settings), piece_(piece) {}
+             std::span<const Leaf> leafs, Piece& piece)
+      : solid_(solid), lattice_(lattice), curves_(curves), settings_(settings), leafs_(leafs), piece_(piece) {}
 
   /// Fills one leaf, given the curves on its faces.
   void fill(const Leaf& leaf, std::span<CellCurve> around) {
@@ -94,8 +95,14 @@ class CellFiller {
 
   /// Whether edges there come from noise, although the solid as a whole may have edges (a scan on a
   /// pedestal).
-  [[nodiscard]] bool is_smooth(const Leaf& leaf) const {
-    return solid_.restricted(box(leaf).grown(cell_side(leaf)), Purpose::occupancy).field->smooth();
+  [[nodiscard]] bool is_smooth(const Leaf& leaf) {
+    const auto surroundings = [&](const Leaf& one) { return box(one).grown(cell_side(one)); };
+    if (!near_) {
+      Box all = surroundings(leafs_[0]);
+      for (const Leaf& one : leafs_) all = hull(all, surroundings(one));
+      near_ = solid_.restricted(all, Purpose::occupancy).field;
+    }
+    return near_->restricted(surroundings(leaf), Purpose::occupancy).field->smooth();
   }
 
   /// A straight loop of three or four points in one plane needs no vertex inside the cell.
@@ -247,6 +254,8 @@ class CellFiller {
   const Lattice& lattice_;
   const Curves& curves_;
   const ContourSettings& settings_;
+  std::span<const Leaf> leafs_;
+  FieldPtr near_;  ///< the solid around `leafs_`, once it was needed
   Piece& piece_;
   std::vector<SurfacePoint> scratch_;
 };
@@ -308,12 +317,11 @@ FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree&
   treat_by_leaf<CellCurve>(leafs.size(), curves.curves.size(), list,
                            [&](std::size_t run, std::span<const std::uint32_t> start, std::span<CellCurve> around) {
                              progress.check();
-                             CellFiller filler(solid, lattice, curves, settings, pieces[run]);
-                             for (std::size_t i = 0; i + 1 < start.size(); ++i) {
-                               const Leaf& leaf = leafs[run * leafs_a_run + i];
-                               if (start[i] < start[i + 1] && octree.extent().contains(leaf.lower))
-                                 filler.fill(leaf, around.subspan(start[i], start[i + 1] - start[i]));
-                             }
+                             const std::span here = leafs.subspan(run * leafs_a_run, start.size() - 1);
+                             CellFiller filler(solid, lattice, curves, settings, here, pieces[run]);
+                             for (std::size_t i = 0; i < here.size(); ++i)
+                               if (start[i] < start[i + 1] && octree.extent().contains(here[i].lower))
+                                 filler.fill(here[i], around.subspan(start[i], start[i + 1] - start[i]));
                            });
   return joined(curves, pieces);
 }
