@@ -17,12 +17,6 @@ namespace fieldfab::contouring {
 using Position = std::array<float, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-template <class T>
-void sort_and_unite(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 /// Bounds of triangles, which are exact in floats.
 struct FloatBox {
   Position lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};

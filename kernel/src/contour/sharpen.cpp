@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <unordered_set>
 
@@ -112,20 +114,16 @@ class Sharpener {
   /// The vertices, edges and triangles of the open triangles with a vertex whose triangles are known, each once, and
   /// close to each other in space.
   std::vector<Flaw> open_places() {
-    sort_and_unite(open_);
+    open_ = sorted_once(open_, draft_.mesh.triangles.size());
     std::vector<std::uint32_t> vertices;
-    std::vector<std::uint64_t> edges;
-    vertices.reserve(3 * open_.size()), edges.reserve(3 * open_.size());
+    vertices.reserve(3 * open_.size());
     for (const std::uint32_t t : open_) {
       examined_[t] = 1;
       const Triangle& v = draft_.mesh.triangles[t];
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint64_t a = v[i], b = v[(i + 1) % 3];
-        vertices.push_back(v[i]);
-        edges.push_back(std::min(a, b) << 32 | std::max(a, b));
-      }
+      vertices.insert(vertices.end(), v.begin(), v.end());
     }
-    sort_and_unite(vertices), sort_and_unite(edges);
+    vertices = sorted_once(vertices, draft_.mesh.vertices.size());
+    const std::vector<std::array<std::uint32_t, 2>> edges = edges_of_open();
     std::vector<Flaw> places;
     places.reserve(vertices.size() + edges.size() + open_.size());
     const auto add = [&](const Triangle& corners, int count) {
@@ -138,8 +136,7 @@ class Sharpener {
       places.push_back(place);
     };
     for (const std::uint32_t vertex : vertices) add({vertex, 0, 0}, 1);
-    for (const std::uint64_t edge : edges)
-      add({static_cast<std::uint32_t>(edge >> 32), static_cast<std::uint32_t>(edge), 0}, 2);
+    for (const auto& [from, to] : edges) add({from, to, 0}, 2);
     for (const std::uint32_t t : open_) add(draft_.mesh.triangles[t], 3);
 
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(places.size());
@@ -149,6 +146,43 @@ class Sharpener {
     ordered.reserve(places.size());
     for (const auto& [key, i] : order) ordered.push_back(places[i]);
     return ordered;
+  }
+
+  /// Returns numbers below `end`, in order and each once.
+  static std::vector<std::uint32_t> sorted_once(const std::vector<std::uint32_t>& numbers, std::size_t end) {
+    std::vector<std::uint64_t> there(end / 64 + 1, 0);
+    for (const std::uint32_t number : numbers) there[number / 64] |= std::uint64_t{1} << number % 64;
+    std::vector<std::uint32_t> sorted;
+    sorted.reserve(numbers.size());
+    for (std::size_t word = 0; word < there.size(); ++word)
+      for (std::uint64_t left = there[word]; left != 0; left &= left - 1)
+        sorted.push_back(static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(std::countr_zero(left)));
+    return sorted;
+  }
+
+  /// The edges of the open triangles, each once: the lesser vertex first, sorted. A counting sort by that vertex, then
+  /// the few edges of one among themselves.
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> edges_of_open() const {
+    std::vector<std::uint32_t> start(draft_.mesh.vertices.size() + 1, 0);
+    const auto for_edges = [&](const auto& visit) {
+      for (const std::uint32_t t : open_) {
+        const Triangle& v = draft_.mesh.triangles[t];
+        for (std::size_t i = 0; i < 3; ++i) visit(std::min(v[i], v[(i + 1) % 3]), std::max(v[i], v[(i + 1) % 3]));
+      }
+    };
+    for_edges([&](std::uint32_t from, std::uint32_t) { ++start[from + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<std::uint32_t> other(start.back()), next(start.begin(), start.end() - 1);
+    for_edges([&](std::uint32_t from, std::uint32_t to) { other[next[from]++] = to; });
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    edges.reserve(other.size() / 2 + 1);
+    for (std::uint32_t from = 0; from + 1 < start.size(); ++from) {
+      const auto first = other.begin() + start[from], last = other.begin() + start[from + 1];
+      std::sort(first, last);
+      for (auto to = first; to != last; ++to)
+        if (to == first || *to != *(to - 1)) edges.push_back({from, *to});
+    }
+    return edges;
   }
 
   /// Cells with keys close to each other are close to each other, in cubes of `smallest_area`. The key's last bits are
