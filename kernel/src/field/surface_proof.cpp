@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <limits>
 
@@ -33,15 +34,18 @@ std::array<Vec3, 3 + edges_of_pyramid> directions_about(const Vec3& outward, dou
   return directions;
 }
 
-/// Corners of boxes, each once. Where planes meet in a box, each of them shows at some corner.
+/// Corners of up to eight boxes, each once: found by the planes that they lie in, of which boxes share most. Where
+/// planes meet in a box, each of them shows at some corner.
 class Corners {
  public:
   void add(const Box& box) {
-    for (unsigned i = 0; i < 8; ++i) {
-      const Vec3 corner((i & 1U) != 0 ? box.upper.x() : box.lower.x(), (i & 2U) != 0 ? box.upper.y() : box.lower.y(),
-                        (i & 4U) != 0 ? box.upper.z() : box.lower.z());
-      add(corner.cast<float>());
+    std::array<std::array<std::size_t, 3>, 2> plane;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      plane[0][axis] = plane_at(axis, static_cast<float>(box.lower[a]));
+      plane[1][axis] = plane_at(axis, static_cast<float>(box.upper[a]));
     }
+    for (unsigned i = 0; i < 8; ++i) add(plane[i & 1U][0], plane[i >> 1 & 1U][1], plane[i >> 2][2]);
   }
 
   /// Adds the directions of the gradients there. They are evaluated in one batch: eight points cost nearly as much as
@@ -58,14 +62,26 @@ class Corners {
   }
 
  private:
-  void add(const Eigen::Vector3f& corner) {
-    for (std::size_t i = 0; i < count_; ++i)
-      if (x_[i] == corner.x() && y_[i] == corner.y() && z_[i] == corner.z()) return;
-    x_[count_] = corner.x(), y_[count_] = corner.y(), z_[count_] = corner.z();
+  static constexpr std::size_t most_planes = 16, most = 64;  // of eight boxes
+
+  std::size_t plane_at(std::size_t axis, float at) {
+    auto& planes = planes_[axis];
+    std::size_t i = 0;
+    while (i < plane_count_[axis] && planes[i] != at) ++i;
+    if (i == plane_count_[axis]) planes[plane_count_[axis]++] = at;
+    return i;
+  }
+  void add(std::size_t x, std::size_t y, std::size_t z) {
+    const std::size_t corner = x + most_planes * (y + most_planes * z);
+    if (there_[corner]) return;
+    there_[corner] = true;
+    x_[count_] = planes_[0][x], y_[count_] = planes_[1][y], z_[count_] = planes_[2][z];
     ++count_;
   }
 
-  static constexpr std::size_t most = 64;  // of eight boxes
+  std::array<std::array<float, most_planes>, 3> planes_;
+  std::array<std::size_t, 3> plane_count_{};
+  std::bitset<most_planes * most_planes * most_planes> there_;
   std::array<float, most> x_, y_, z_;
   std::size_t count_ = 0;
 };
@@ -91,12 +107,16 @@ struct Cone {
 /// Directions, one coordinate after another: they are compared to axes in lanes.
 class Directions {
  public:
-  explicit Directions(const std::vector<Eigen::Vector3f>& directions) : count_(directions.size()) {
+  explicit Directions(const std::vector<Eigen::Vector3f>& directions)
+      : count_((directions.size() + lanes - 1) / lanes * lanes) {
     static thread_local std::vector<float> kept;
     kept.resize(4 * count_);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       at_[axis] = kept.data() + axis * count_;
-      for (std::size_t i = 0; i < count_; ++i) at_[axis][i] = directions[i][static_cast<Eigen::Index>(axis)];
+      const auto a = static_cast<Eigen::Index>(axis);
+      for (std::size_t i = 0; i < directions.size(); ++i) at_[axis][i] = directions[i][a];
+      // What fills the last lanes is not the first of any that are as far.
+      for (std::size_t i = directions.size(); i < count_; ++i) at_[axis][i] = directions[0][a];
     }
     cosines_ = kept.data() + 3 * count_;
   }
@@ -105,16 +125,21 @@ class Directions {
 
   /// The first of those farthest from an axis.
   [[nodiscard]] Eigen::Vector3f farthest_from(const Eigen::Vector3f& axis) const {
-    const auto lane = [&](float* first) { return Lanes(first, static_cast<Eigen::Index>(count_)); };
-    Lanes cosines = lane(cosines_);
-    cosines = axis.x() * lane(at_[0]) + (axis.y() * lane(at_[1]) + axis.z() * lane(at_[2]));
-    const float* const farthest = std::find(cosines_, cosines_ + count_, cosines.minCoeff());
+    Lanes least = Lanes::Constant(std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < count_; i += lanes) {
+      const auto lane = [&](const float* first) { return Eigen::Map<const Lanes>(first + i); };
+      const Lanes cosines = axis.x() * lane(at_[0]) + (axis.y() * lane(at_[1]) + axis.z() * lane(at_[2]));
+      Eigen::Map<Lanes>(cosines_ + i) = cosines;
+      least = least.min(cosines);
+    }
+    const float* const farthest = std::find(cosines_, cosines_ + count_, least.minCoeff());
     return (*this)[static_cast<std::size_t>(farthest - cosines_)];
   }
 
  private:
-  using Lanes = Eigen::Map<Eigen::ArrayXf>;
-  std::size_t count_;
+  static constexpr int lanes = 8;
+  using Lanes = Eigen::Array<float, lanes, 1>;
+  std::size_t count_;  ///< a multiple of `lanes`
   std::array<float*, 3> at_;
   float* cosines_;
 };
