@@ -72,7 +72,7 @@ Histogram histogram(const Volume& volume, std::size_t memory, Progress& progress
   const std::size_t bins = whole ? static_cast<std::size_t>(range) + 1 : bins_of_reals;
   histogram.first = whole ? histogram.least - 0.5 : histogram.least;
   histogram.width = whole ? 1 : range > 0 ? range / static_cast<double>(bins) : 1;
-  std::vector<std::vector<std::uint64_t>> of_part(most_parts, std::vector<std::uint64_t>(bins));
+  std::vector<std::vector<std::uint64_t>> of_part(most_slice_parts, std::vector<std::uint64_t>(bins));
   for_slices(volume, memory, progress, "counting densities",
              [&](std::size_t part, std::size_t /*k*/, const float* densities) {
                std::vector<std::uint64_t>& counts = of_part[part];

@@ -263,7 +263,7 @@ void for_slices(const Volume& volume, std::size_t bytes, Progress& progress, con
   // A file can state any size.
   require_memory(lattice.slice() * sizeof(float), "volume");
   const std::size_t fitting = bytes / (lattice.slice() * sizeof(float));
-  const std::size_t parts = std::clamp(fitting, std::size_t{1}, std::min(slices, most_parts));
+  const std::size_t parts = std::clamp(fitting, std::size_t{1}, std::min(slices, most_slice_parts));
   std::atomic<std::size_t> done{0};
   parallel_for(parts, [&](std::size_t part) {
     const auto densities = std::make_unique_for_overwrite<float[]>(lattice.slice());

@@ -87,7 +87,7 @@ VolumePtr respaced(VolumePtr volume, const Vec3& spacing);
 std::vector<float> read_all(const Volume& volume, Progress& progress = Progress::none());
 
 /// Parts that for_slices() makes at most.
-inline constexpr std::size_t most_parts = 64;
+inline constexpr std::size_t most_slice_parts = 64;
 /// Calls body(part, k, densities) for each slice k, in parallel: slices of one part one after the other, each part's
 /// slices follow each other. Slices in memory take at most `bytes` bytes, but at least one slice is. `what` describes
 /// the work in progress reports. Throws Error(cancelled).
