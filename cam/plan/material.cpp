@@ -51,22 +51,30 @@ Material::Material(const Stock& stock, const Plane& plane, const std::function<d
   const int wide = static_cast<int>(std::ceil(box.size().x() / cell - 1e-6)) + 1,
             high = static_cast<int>(std::ceil(box.size().y() / cell - 1e-6)) + 1;
   heights_ = certain_ = HeightMap(wide, high, cell, box.lower.head<2>(), -std::numeric_limits<float>::infinity());
-  for (const StockCrossing& c : stock.crossings(progress)) {
-    const Vec3 at = plane.into(c.place), less(0, 0, slack(c.cut));
-    if (along) {
-      // A line stands for the material about it. Ends of material on lines are exact.
-      if (c.axis != axis || c.upwards != (view[axis] > 0)) continue;
-      const double half = 0.499 * std::max(spacing[(axis + 1) % 3], spacing[(axis + 2) % 3]);
-      raise(heights_, at, half);
-      raise(certain_, at - less, half);
-    } else {
-      // Each point of the material has a solid point of the lattice within two halves of its diagonal: a cut removes
-      // points only where it is sure, across its axis, and the next points below its floor stay.
-      const double near = spacing.norm();
-      raise(heights_, plane.into(c.solid) + Vec3(0, 0, near), near);
-      raise(certain_, at - less, 0);
-    }
-  }
+  const std::vector<std::vector<StockCrossing>> crossings = stock.crossings(progress);
+  const auto for_crossings = [&](const auto& visit) {
+    for (const auto& of_brick : crossings)
+      for (const StockCrossing& c : of_brick)
+        // A line stands for the material about it. Ends of material on lines are exact.
+        if (!along || (c.axis == axis && c.upwards == (view[axis] > 0))) visit(c);
+  };
+  const double half = 0.499 * std::max(spacing[(axis + 1) % 3], spacing[(axis + 2) % 3]);
+  // Each point of the material has a solid point of the lattice within two halves of its diagonal: a cut removes
+  // points only where it is sure, across its axis, and the next points below its floor stay.
+  const double near = spacing.norm();
+  parallel_for(2, [&](std::size_t map) {
+    if (map == 0)
+      for_crossings([&](const StockCrossing& c) {
+        if (along)
+          raise(heights_, plane.into(c.place), half);
+        else
+          raise(heights_, plane.into(c.solid) + Vec3(0, 0, near), near);
+      });
+    else
+      for_crossings([&](const StockCrossing& c) {
+        raise(certain_, plane.into(c.place) - Vec3(0, 0, slack(c.cut)), along ? half : 0);
+      });
+  });
 }
 
 namespace {

@@ -50,19 +50,14 @@ void SurfacePieces::add_crossings(std::size_t index, const Stock& stock, std::ve
       }
 }
 
-std::vector<StockCrossing> Stock::crossings(Progress& progress) const {
+std::vector<std::vector<StockCrossing>> Stock::crossings(Progress& progress) const {
   const SurfacePieces pieces(*this);
   std::vector<std::vector<StockCrossing>> found(bricks_.size());
   parallel_for(bricks_.size(), [&](std::size_t i) {
     progress.check();
     pieces.add_crossings(i, *this, found[i]);
   });
-  std::vector<StockCrossing> all;
-  std::size_t count = 0;
-  for (const auto& list : found) count += list.size();
-  all.reserve(count);
-  for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
-  return all;
+  return found;
 }
 
 }  // namespace fieldfab::cam

@@ -209,7 +209,8 @@ TEST(Stock, CrossingsAreThoseOfItsPoints) {
               next[axis] += step;
               expected += stock.solid({x, y, z}) && !stock.solid(next);
             }
-    const std::vector<StockCrossing> crossings = stock.crossings();
+    std::vector<StockCrossing> crossings;
+    for (const auto& of_brick : stock.crossings()) crossings.insert(crossings.end(), of_brick.begin(), of_brick.end());
     EXPECT_EQ(crossings.size(), expected);
     for (const StockCrossing& c : crossings) {
       const Vec3 k = (c.solid - block.lower).cwiseQuotient(stock.lattice().spacing());

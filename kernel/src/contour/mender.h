@@ -43,6 +43,7 @@ struct Surroundings {
   Box box;
   FieldPtr field;  ///< the solid in the box
   std::map<Cell, Block> blocks;
+  std::size_t counted = 0;  ///< cost that counts as kept
 
   /// Returns the cost of all Fields.
   [[nodiscard]] std::size_t cost() const;

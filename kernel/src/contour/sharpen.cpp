@@ -97,7 +97,7 @@ class Sharpener {
   /// Returns the vertices, edges and triangles of the open triangles that are off by more than the
   /// tolerance: vertices first, then edges, then triangles; the largest error first.
   std::vector<Flaw> find_flaws() {
-    bound_kept();
+    if (kept_cost_ >= most_kept) kept_.clear(), kept_cost_ = 0;
     std::vector<Flaw> places = open_places();
     std::erase_if(places, [&](const Flaw& flaw) { return tried_.contains(key_of(flaw)); });
     measure(places);
@@ -211,7 +211,9 @@ class Sharpener {
     parallel_for(cubes.size() - 1, [&](std::size_t cube) {
       progress_.check();
       const std::span<Flaw> inside{places.data() + cubes[cube], places.data() + cubes[cube + 1]};
-      const Surroundings& surroundings = kept_around(area(cube));
+      Surroundings own;
+      const Surroundings& surroundings =
+          surroundings_of(&kept_.at(area(cube)), region_of(area(cube), smallest_area), own);
       const Box box = box_of(inside);
       const bool held = surroundings.box.contains(box.lower) && surroundings.box.contains(box.upper);
       const Field& solid = held ? *surroundings.field : draft_.solid;
@@ -277,6 +279,7 @@ class Sharpener {
     Surroundings everything{Box::everything(), RestrictedField(draft_.solid), {}};
     last[0] = {MeshEditor::everything(), &everything, std::move(left), {}, {}};
     carry_out(last, report);
+    kept_cost_ -= everything.counted;
   }
 
   /// Whether the known triangles around a flaw lie in a region.
@@ -293,14 +296,14 @@ class Sharpener {
     parallel_for(tasks.size(), [&](std::size_t i) {
       Task& task = tasks[i];
       Surroundings own;
-      Surroundings& surroundings = task.kept != nullptr ? *task.kept : own;
-      fill(surroundings, task.region);
+      Surroundings& surroundings = surroundings_of(task.kept, task.region, own);
       Mender mender(draft_, task.region, surroundings);
       for (const Flaw* flaw : task.flaws) {
         if (done_++ % 16 == 0) report();
         task.tried.push_back(mender.mend(*flaw) ? 1 : 0);
       }
       task.made = std::move(mender.made);
+      if (&surroundings == task.kept) count_kept(surroundings);
     });
     for (Task& task : tasks) {
       editor_.take_back(task.region);
@@ -310,34 +313,33 @@ class Sharpener {
     }
   }
 
-  void fill(Surroundings& surroundings, const MeshEditor::Region& region) const {
-    if (surroundings.field) return;
+  /// Returns the surroundings of a region: those that are kept for it, or `own` if there is no place for more.
+  Surroundings& surroundings_of(Surroundings* kept, const MeshEditor::Region& region, Surroundings& own) {
+    const bool keeps = kept != nullptr && (kept->field || kept_cost_ < most_kept);
+    Surroundings& surroundings = keeps ? *kept : own;
+    if (surroundings.field) return surroundings;
     surroundings.box = editor_.extent(region);
     surroundings.field = draft_.solid.restricted(surroundings.box).field;
-  }
-  /// The surroundings of a smallest area, which kept_ has a place for.
-  Surroundings& kept_around(const Area& area) {
-    Surroundings& surroundings = kept_.at(area);
-    fill(surroundings, region_of(area, smallest_area));
+    if (keeps) count_kept(surroundings);
     return surroundings;
   }
-  /// Forgets what is kept if it is more than fits in some 100 MB.
-  void bound_kept() {
-    constexpr std::size_t most = 4'000'000;  // operations
-    std::size_t cost = 0;
-    for (const auto& [area, surroundings] : kept_)
-      if (surroundings.field) cost += surroundings.cost();
-    if (cost > most) kept_.clear();
+  void count_kept(Surroundings& surroundings) {
+    if (kept_cost_ >= most_kept) surroundings.blocks.clear();
+    const std::size_t cost = surroundings.cost();
+    kept_cost_ += cost - surroundings.counted;
+    surroundings.counted = cost;
   }
 
   Progress& progress_;
   MeshEditor editor_;
   Draft draft_;
-  std::vector<std::uint32_t> open_;          ///< triangles still to be examined
-  std::vector<char> examined_;               ///< by triangle: whether it was, since it was made
-  std::unordered_set<std::uint64_t> tried_;  ///< flaws, so that none is tried forever
-  std::map<Area, Surroundings> kept_;        ///< by smallest area
-  std::atomic<std::size_t> done_ = 0;        ///< flaws of this round
+  std::vector<std::uint32_t> open_;                    ///< triangles still to be examined
+  std::vector<char> examined_;                         ///< by triangle: whether it was, since it was made
+  std::unordered_set<std::uint64_t> tried_;            ///< flaws, so that none is tried forever
+  static constexpr std::size_t most_kept = 4'000'000;  ///< operations, of 16 bytes and their Fields
+  std::map<Area, Surroundings> kept_;                  ///< by smallest area
+  std::atomic<std::size_t> kept_cost_ = 0;
+  std::atomic<std::size_t> done_ = 0;  ///< flaws of this round
 };
 
 }  // namespace

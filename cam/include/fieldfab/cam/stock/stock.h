@@ -115,9 +115,9 @@ class Stock {
   std::vector<StrokeResult> cut(std::span<const Stroke> strokes, Progress& progress = Progress::none());
   /// Whether a lattice point is solid.
   [[nodiscard]] bool solid(const Index3& point) const;
-  /// Returns all crossings of the surface with edges of the lattice; outside of the box everything is air. O(points of
-  /// the bricks that contain surface).
-  [[nodiscard]] std::vector<StockCrossing> crossings(Progress& progress = Progress::none()) const;
+  /// Returns all crossings of the surface with edges of the lattice, by brick; outside of the box everything is air.
+  /// O(points of the bricks that contain surface).
+  [[nodiscard]] std::vector<std::vector<StockCrossing>> crossings(Progress& progress = Progress::none()) const;
   /// Volume by integration of the columns, mm^3.
   [[nodiscard]] double volume() const;
   /// Has no sample remember a cut: all of it is a first surface, the same otherwise.
