@@ -31,7 +31,10 @@ struct FloatBox {
   }
   [[nodiscard]] bool meets(const FloatBox& other) const {
     bool apart = false;  // without branches, since lists of boxes are searched
-    for (std::size_t i = 0; i < 3; ++i) apart |= (upper[i] < other.lower[i]) | (other.upper[i] < lower[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      apart |= upper[i] < other.lower[i];
+      apart |= other.upper[i] < lower[i];
+    }
     return !apart;
   }
 };

@@ -75,7 +75,8 @@ class VolumeField final : public Field {
         if (point[axis] != before[axis]) at[axis] = find(axis, point[axis]);
       before = point;
       float farthest = at[0].beyond;
-      for (const std::size_t axis : {1, 2}) farthest = at[axis].beyond <= farthest ? farthest : at[axis].beyond;
+      for (const std::size_t axis : {std::size_t{1}, std::size_t{2}})
+        farthest = at[axis].beyond <= farthest ? farthest : at[axis].beyond;
       out[i] = std::max(interpolate(place(at)).value, farthest);
     }
   }
