@@ -167,10 +167,10 @@ py::object bounds_to_python(const Box& box) {
 }
 
 std::shared_ptr<const Solid> solid_of(const py::object& solid) {
-  if (!py::isinstance<SolidValue>(solid) && !py::isinstance<py::float_>(solid) && !py::isinstance<py::int_>(solid))
-    throw py::type_error("expected a fieldfab.Solid");
   // Itself, not a copy: it keeps what is made of it.
   if (py::isinstance<SolidValue>(solid)) return solid.cast<const SolidValue&>().solid();
+  if (!py::isinstance<py::float_>(solid) && !py::isinstance<py::int_>(solid))
+    throw py::type_error("expected a fieldfab.Solid");
   return solid.cast<SolidValue>().solid();
 }
 

@@ -30,7 +30,7 @@ class CellSet {
   void add(const CellSet& other) {
     for (const auto& [key, number] : other.at_) {
       Block& block = blocks_[make(key)];
-      for (std::size_t z = 0; z < side; ++z) block.bits[z] |= other.blocks_[number].bits[z];
+      for (std::size_t z = 0; z < block.bits.size(); ++z) block.bits[z] |= other.blocks_[number].bits[z];
     }
   }
 
@@ -38,7 +38,7 @@ class CellSet {
   std::size_t number() {
     std::uint32_t count = 0;
     for (Block& block : blocks_)
-      for (std::size_t z = 0; z < side; ++z) {
+      for (std::size_t z = 0; z < block.bits.size(); ++z) {
         block.before[z] = count;
         count += static_cast<std::uint32_t>(std::popcount(block.bits[z]));
       }
@@ -65,7 +65,8 @@ class CellSet {
   }
 
  private:
-  static constexpr std::size_t side = 8;
+  static constexpr int level = 3;
+  static constexpr std::int64_t side = 1 << level;  ///< of a block, in cells
   struct Block {
     std::array<std::uint64_t, side> bits{};    ///< by z: bit x + 8 y
     std::array<std::uint32_t, side> before{};  ///< by z: number of the first cell
@@ -86,19 +87,19 @@ class CellSet {
   template <class Visit>
   static bool for_blocks(const Cell& lower, const Cell& upper, const Visit& visit) {
     Cell block;
-    const auto of = [](std::int64_t cell) { return cell >> 3; };
+    const auto of = [](std::int64_t cell) { return cell >> level; };
     for (block[2] = of(lower[2]); block[2] <= of(upper[2]); ++block[2])
       for (block[1] = of(lower[1]); block[1] <= of(upper[1]); ++block[1])
         for (block[0] = of(lower[0]); block[0] <= of(upper[0]); ++block[0]) {
           Part part{};
           for (std::size_t i = 0; i < 3; ++i) {
             part.key = part.key << 21 | (static_cast<std::uint64_t>(block[i]) & 0x1fffff);
-            part.first[i] = static_cast<std::size_t>(std::max(lower[i] - 8 * block[i], std::int64_t{0}));
-            part.last[i] = static_cast<std::size_t>(std::min(upper[i] - 8 * block[i], std::int64_t{7}));
+            part.first[i] = static_cast<std::size_t>(std::max(lower[i] - side * block[i], std::int64_t{0}));
+            part.last[i] = static_cast<std::size_t>(std::min(upper[i] - side * block[i], side - 1));
           }
           const std::uint64_t row =
               ((std::uint64_t{2} << part.last[0]) - 1) & ~((std::uint64_t{1} << part.first[0]) - 1);
-          for (std::size_t y = part.first[1]; y <= part.last[1]; ++y) part.layer |= row << (side * y);
+          for (std::size_t y = part.first[1]; y <= part.last[1]; ++y) part.layer |= row << (y << level);
           if (!visit(part)) return false;
         }
     return true;

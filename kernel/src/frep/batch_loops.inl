@@ -33,51 +33,72 @@ inline Argument argument(const BatchRun& run, Operand operand, std::size_t strid
   return {run.scratch + run.code[operand - first_value].slot * stride, 0};
 }
 
-// One loop for each combination of arrays and numbers; `a` and `b` are the numbers in `expression`.
-#define FIELDFAB_UNARY(expression)                       \
-  {                                                      \
+/// op(a, b) for the operations that need no function.
+template <Opcode op>
+[[gnu::always_inline]] inline float value_at(float a, float b) {
+  switch (op) {
+    case Opcode::absolute: return __builtin_fabsf(a);
+    case Opcode::square: return a * a;
+    case Opcode::square_root: return __builtin_sqrtf(a);
+    case Opcode::negate: return -a;
+    case Opcode::floor: return __builtin_floorf(a);
+    case Opcode::ceiling: return __builtin_ceilf(a);
+    case Opcode::add: return a + b;
+    case Opcode::subtract: return a - b;
+    case Opcode::multiply: return a * b;
+    case Opcode::divide: return a / b;
+    case Opcode::minimum: return a != a ? quiet_nan : (a <= b ? a : b);
+    case Opcode::maximum: return a != a ? quiet_nan : (a >= b ? a : b);
+    case Opcode::modulo: return a - b * __builtin_floorf(a / b);
+    default: return a != a || b != b ? quiet_nan : (a > b ? 1.0F : (a < b ? -1.0F : 0.0F));  // compare
+  }
+}
+
+// One loop for each combination of arrays and numbers.
+#define FIELDFAB_UNARY(name)                             \
+  case Opcode::name: {                                   \
     const float* pa = first.array;                       \
     if (pa == nullptr) {                                 \
       const float a = first.number;                      \
-      const float same = (expression);                   \
+      const float same = value_at<Opcode::name>(a, a);   \
       FIELDFAB_EACH                                      \
       for (std::size_t i = 0; i < n; ++i) out[i] = same; \
     } else {                                             \
       FIELDFAB_EACH                                      \
       for (std::size_t i = 0; i < n; ++i) {              \
         const float a = pa[i];                           \
-        out[i] = (expression);                           \
+        out[i] = value_at<Opcode::name>(a, a);           \
       }                                                  \
     }                                                    \
     break;                                               \
   }
-#define FIELDFAB_BINARY(expression)                      \
-  {                                                      \
+#define FIELDFAB_BINARY(name)                            \
+  case Opcode::name: {                                   \
     const float* pa = first.array;                       \
     const float* pb = second.array;                      \
     if (pa != nullptr && pb != nullptr) {                \
       FIELDFAB_EACH                                      \
       for (std::size_t i = 0; i < n; ++i) {              \
         const float a = pa[i], b = pb[i];                \
-        out[i] = (expression);                           \
+        out[i] = value_at<Opcode::name>(a, b);           \
       }                                                  \
     } else if (pa != nullptr) {                          \
       const float b = second.number;                     \
       FIELDFAB_EACH                                      \
       for (std::size_t i = 0; i < n; ++i) {              \
         const float a = pa[i];                           \
-        out[i] = (expression);                           \
+        out[i] = value_at<Opcode::name>(a, b);           \
       }                                                  \
     } else if (pb != nullptr) {                          \
       const float a = first.number;                      \
       FIELDFAB_EACH                                      \
       for (std::size_t i = 0; i < n; ++i) {              \
         const float b = pb[i];                           \
-        out[i] = (expression);                           \
+        out[i] = value_at<Opcode::name>(a, b);           \
       }                                                  \
     } else {                                             \
       const float a = first.number, b = second.number;   \
-      const float same = (expression);                   \
+      const float same = value_at<Opcode::name>(a, b);   \
       FIELDFAB_EACH                                      \
       for (std::size_t i = 0; i < n; ++i) out[i] = same; \
     }                                                    \
@@ -100,20 +121,20 @@ void run_function(Opcode op, const Argument& first, const Argument& second, floa
 /// is written.
 void run_clause(Opcode op, Argument first, Argument second, float* out, std::size_t n) {
   switch (op) {
-    case Opcode::absolute: FIELDFAB_UNARY(__builtin_fabsf(a))
-    case Opcode::square: FIELDFAB_UNARY(a * a)
-    case Opcode::square_root: FIELDFAB_UNARY(__builtin_sqrtf(a))
-    case Opcode::negate: FIELDFAB_UNARY(-a)
-    case Opcode::floor: FIELDFAB_UNARY(__builtin_floorf(a))
-    case Opcode::ceiling: FIELDFAB_UNARY(__builtin_ceilf(a))
-    case Opcode::add: FIELDFAB_BINARY(a + b)
-    case Opcode::subtract: FIELDFAB_BINARY(a - b)
-    case Opcode::multiply: FIELDFAB_BINARY(a * b)
-    case Opcode::divide: FIELDFAB_BINARY(a / b)
-    case Opcode::minimum: FIELDFAB_BINARY(a != a ? quiet_nan : (a <= b ? a : b))
-    case Opcode::maximum: FIELDFAB_BINARY(a != a ? quiet_nan : (a >= b ? a : b))
-    case Opcode::modulo: FIELDFAB_BINARY(a - b * __builtin_floorf(a / b))
-    case Opcode::compare: FIELDFAB_BINARY(a != a || b != b ? quiet_nan : (a > b ? 1.0F : (a < b ? -1.0F : 0.0F)))
+    FIELDFAB_UNARY(absolute)
+    FIELDFAB_UNARY(square)
+    FIELDFAB_UNARY(square_root)
+    FIELDFAB_UNARY(negate)
+    FIELDFAB_UNARY(floor)
+    FIELDFAB_UNARY(ceiling)
+    FIELDFAB_BINARY(add)
+    FIELDFAB_BINARY(subtract)
+    FIELDFAB_BINARY(multiply)
+    FIELDFAB_BINARY(divide)
+    FIELDFAB_BINARY(minimum)
+    FIELDFAB_BINARY(maximum)
+    FIELDFAB_BINARY(modulo)
+    FIELDFAB_BINARY(compare)
     default: return run_function(op, first, second, out, n);
   }
 }
@@ -192,23 +213,6 @@ struct Dual {
   const float* value;
   const float* slope[3];
 };
-
-/// op(a, b) for the operations that run_dual() has loops of.
-template <Opcode op>
-[[gnu::always_inline]] inline float value_at(float a, float b) {
-  switch (op) {
-    case Opcode::add: return a + b;
-    case Opcode::subtract: return a - b;
-    case Opcode::multiply: return a * b;
-    case Opcode::divide: return a / b;
-    case Opcode::minimum: return a != a ? quiet_nan : (a <= b ? a : b);
-    case Opcode::maximum: return a != a ? quiet_nan : (a >= b ? a : b);
-    case Opcode::negate: return -a;
-    case Opcode::absolute: return __builtin_fabsf(a);
-    case Opcode::square: return a * a;
-    default: return __builtin_sqrtf(a);
-  }
-}
 
 /// The slope of op(a, b) along an axis, from those of a and b. The most frequent operations need no product, and have
 /// the same bits as chain().

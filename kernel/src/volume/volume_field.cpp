@@ -74,24 +74,19 @@ class VolumeField final : public Field {
       for (std::size_t axis = 0; axis < 3; ++axis)
         if (point[axis] != before[axis]) at[axis] = find(axis, point[axis]);
       before = point;
-      float farthest = at[0].beyond;
-      for (const std::size_t axis : {std::size_t{1}, std::size_t{2}})
-        farthest = at[axis].beyond <= farthest ? farthest : at[axis].beyond;
-      out[i] = std::max(interpolate(place(at)).value, farthest);
+      out[i] = std::max(interpolate(at).value, at[axis_beyond(at)].beyond);
     }
   }
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
     for (std::size_t i = 0; i < points.count; ++i) {
-      const std::array<float, 3> point{points.x[i], points.y[i], points.z[i]};
-      const Interpolated here = interpolate(place(point));
-      const auto [distance, side] = beyond(point);
-      const bool capped = distance > here.value;
-      out[i] = capped ? distance : here.value;
+      const std::array<Coordinate, 3> at{find(0, points.x[i]), find(1, points.y[i]), find(2, points.z[i])};
+      const Interpolated here = interpolate(at);
+      const std::size_t out_along = axis_beyond(at);
+      const bool capped = at[out_along].beyond > here.value;
+      out[i] = capped ? at[out_along].beyond : here.value;
       const std::array<float*, 3> to{slopes.dx + i, slopes.dy + i, slopes.dz + i};
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        *to[a] = !capped ? here.slope[a] * per_mm_[a] : side / 2 == axis ? (side % 2 == 0 ? -1.0F : 1.0F) : 0.0F;
-      }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        *to[axis] = !capped ? here.slope[axis] * per_mm_[axis] : axis == out_along ? at[axis].outwards : 0.0F;
     }
   }
   [[nodiscard]] Box known_bounds() const noexcept override {
@@ -174,10 +169,6 @@ class VolumeField final : public Field {
     void add(float value) { least = std::min(least, value), most = std::max(most, value); }
     void add(const Extremes& other) { least = std::min(least, other.least), most = std::max(most, other.most); }
   };
-  struct Place {
-    std::size_t sample;           // first sample of the cell
-    std::array<float, 3> within;  // 0 to 1
-  };
   struct Interpolated {
     float value;
     std::array<float, 3> slope;  // per cell
@@ -193,6 +184,7 @@ class VolumeField final : public Field {
     std::size_t sample;  ///< offset of the first sample of its cell
     float within;        ///< 0 to 1
     float beyond;        ///< distance from the nearer of the two sides of the samples, negative between them
+    float outwards;      ///< 1 if that is the upper side, -1 if it is the lower one
   };
 
   /// A point outside the lattice is moved to the nearest point in it; NaN counts as the lower corner.
@@ -201,20 +193,22 @@ class VolumeField final : public Field {
     const double inside = sample > 0 ? std::min(sample, size_[axis] - 1.0) : 0.0;
     const int cell = std::min(static_cast<int>(inside), size_[axis] - 2);
     const float below = faces_[0][axis] - at, above = at - faces_[1][axis];
-    return {stride_[axis] * static_cast<std::size_t>(cell), static_cast<float>(inside - cell),
-            above > below ? above : below};
+    const bool upper = above > below;
+    return {stride_[axis] * static_cast<std::size_t>(cell), static_cast<float>(inside - cell), upper ? above : below,
+            upper ? 1.0F : -1.0F};
   }
-  [[nodiscard]] static Place place(const std::array<Coordinate, 3>& at) {
-    return {at[0].sample + at[1].sample + at[2].sample, {at[0].within, at[1].within, at[2].within}};
-  }
-  [[nodiscard]] Place place(const std::array<float, 3>& point) const {
-    return place({find(0, point[0]), find(1, point[1]), find(2, point[2])});
+  /// The axis along which a point is farthest beyond the samples. The solid ends there.
+  [[nodiscard]] static std::size_t axis_beyond(const std::array<Coordinate, 3>& at) {
+    std::size_t farthest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+      if (!(at[axis].beyond <= at[farthest].beyond)) farthest = axis;
+    return farthest;
   }
 
-  [[nodiscard]] Interpolated interpolate(const Place& place) const {
-    const float* const s = samples_.get() + place.sample;
+  [[nodiscard]] Interpolated interpolate(const std::array<Coordinate, 3>& at) const {
+    const float* const s = samples_.get() + at[0].sample + at[1].sample + at[2].sample;
     const std::size_t row = stride_[1], slice = stride_[2];
-    const auto [u, v, w] = place.within;
+    const float u = at[0].within, v = at[1].within, w = at[2].within;
     const auto mix = [](float a, float b, float t) { return a + (b - a) * t; };
     const std::array<float, 4> along_x{mix(s[0], s[1], u), mix(s[row], s[row + 1], u), mix(s[slice], s[slice + 1], u),
                                        mix(s[slice + row], s[slice + row + 1], u)};
@@ -224,20 +218,7 @@ class VolumeField final : public Field {
     return {mix(lower, upper, w), {dx, mix(along_x[1] - along_x[0], along_x[3] - along_x[2], w), upper - lower}};
   }
 
-  /// Returns the greatest distance of a point from the six sides of the samples (negative inside),
-  /// and the number of that side. The solid ends there.
-  [[nodiscard]] std::pair<float, int> beyond(const std::array<float, 3>& point) const {
-    std::pair<float, int> farthest{-std::numeric_limits<float>::infinity(), 0};
-    for (int axis = 0; axis < 3; ++axis) {
-      const float at = point[static_cast<std::size_t>(axis)];
-      const float below = faces_[0][static_cast<std::size_t>(axis)] - at,
-                  above = at - faces_[1][static_cast<std::size_t>(axis)];
-      if (!(below <= farthest.first)) farthest = {below, 2 * axis};
-      if (above > farthest.first) farthest = {above, 2 * axis + 1};
-    }
-    return farthest;
-  }
-  /// Interval of beyond() over a box.
+  /// Interval, over a box, of the distance by which points are beyond the samples.
   [[nodiscard]] Interval beyond_over(const Box& box) const {
     Interval range{-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};
     for (int axis = 0; axis < 3; ++axis) {

@@ -88,9 +88,9 @@ std::vector<float> read_all(const Volume& volume, Progress& progress = Progress:
 
 /// Parts that for_slices() makes at most.
 inline constexpr std::size_t most_slice_parts = 64;
-/// Calls body(part, k, densities) for each slice k, in parallel: slices of one part one after the other, each part's
-/// slices follow each other. Slices in memory take at most `bytes` bytes, but at least one slice is. `what` describes
-/// the work in progress reports. Throws Error(cancelled).
+/// Calls body(part, k, densities) for each slice k: parts, of slices that follow each other, in parallel, and the
+/// slices of a part one after the other. Each part has one slice in memory, and all together at most `bytes` bytes, but
+/// there is at least one part. `what` describes the work in progress reports. Throws Error(cancelled).
 void for_slices(const Volume& volume, std::size_t bytes, Progress& progress, const std::string& what,
                 const std::function<void(std::size_t part, std::size_t k, const float* densities)>& body);
 
