@@ -27,7 +27,7 @@ struct Edge {
 class BlockSampler {
  public:
   BlockSampler(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings)
-      : field_(field), lattice_(lattice), lower_(lower), settings_(settings) {
+      : field_(field), unread_(field.unread_axes()), lattice_(lattice), lower_(lower), settings_(settings) {
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i <= block_side; ++i)
         plane_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)] = static_cast<float>(
@@ -98,23 +98,39 @@ class BlockSampler {
     return static_cast<std::size_t>(point_index(edge.lower[0], edge.lower[1], edge.lower[2]));
   }
 
+  /// Points beside each other along axes that the Field does not read have one value.
   void sample() {
     std::array<float, point_count> x, y, z;
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < points_a_side; ++k)
-      for (std::size_t j = 0; j < points_a_side; ++j)
-        for (std::size_t i = 0; i < points_a_side; ++i, ++at) {
-          x[at] = plane_[0][i];
-          y[at] = plane_[1][j];
-          z[at] = plane_[2][k];
+    std::array<std::size_t, 3> points;
+    for (std::size_t axis = 0; axis < 3; ++axis) points[axis] = reads(axis) ? points_a_side : 1;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < points[2]; ++k)
+      for (std::size_t j = 0; j < points[1]; ++j)
+        for (std::size_t i = 0; i < points[0]; ++i, ++count) {
+          x[count] = plane_[0][i];
+          y[count] = plane_[1][j];
+          z[count] = plane_[2][k];
         }
-    field_.values({x.data(), y.data(), z.data(), point_count}, value_.data());
+    field_.values({x.data(), y.data(), z.data(), count}, value_.data());
+    if (count < point_count) spread(points);
     for (std::size_t row = 0; row < inside_.size(); ++row) {
       unsigned bits = 0;
       for (unsigned i = 0; i < points_a_side; ++i)
         bits |= static_cast<unsigned>(value_[row * points_a_side + i] < 0) << i;
       inside_[row] = static_cast<std::uint16_t>(bits);
     }
+  }
+
+  [[nodiscard]] bool reads(std::size_t axis) const { return (unread_ >> axis & 1U) == 0; }
+
+  /// Copies the values at `points` along x, y and z to all points beside them, the last ones first.
+  void spread(const std::array<std::size_t, 3>& points) {
+    std::size_t to = point_count;
+    for (std::size_t k = points_a_side; k-- > 0;)
+      for (std::size_t j = points_a_side; j-- > 0;)
+        for (std::size_t i = points_a_side; i-- > 0;)
+          value_[--to] = value_[std::min(i, points[0] - 1) +
+                                points[0] * (std::min(j, points[1] - 1) + points[1] * std::min(k, points[2] - 1))];
   }
 
   void find_sign_changes() {
@@ -153,10 +169,19 @@ class BlockSampler {
       });
   }
 
+  /// Finds where the surface crosses the edges; once for edges that are alike, beside each other along an axis that
+  /// the Field does not read.
   void locate_edges() {
     std::vector<CrossedEdge> edges;
+    std::vector<std::uint32_t> found_at(edges_.size());  // by edge, in `edges`
     edges.reserve(edges_.size());
-    for (const Edge& edge : edges_) {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const Edge& edge = edges_[i];
+      if (const std::size_t alike = first_alike(edge); alike < i) {
+        found_at[i] = found_at[alike];
+        continue;
+      }
+      found_at[i] = static_cast<std::uint32_t>(edges.size());
       const std::size_t low = lower_end(edge), high = low + static_cast<std::size_t>(stride[edge.axis]);
       edges.push_back({edge.axis,
                        {plane_[0][edge.lower[0]], plane_[1][edge.lower[1]], plane_[2][edge.lower[2]]},
@@ -166,7 +191,19 @@ class BlockSampler {
     }
     std::vector<SurfacePoint> points;
     locate_crossings(field_, edges, lattice_.voxel(), lattice_.float_step(), points);
-    for (std::size_t i = 0; i < points.size(); ++i) edges_[i].point = points[i];
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      SurfacePoint& point = edges_[i].point = points[found_at[i]];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (!reads(axis)) point.position[static_cast<Eigen::Index>(axis)] = plane_[axis][edges_[i].lower[axis]];
+    }
+  }
+
+  /// The edge at the block's lower end along the axes that the Field does not read.
+  [[nodiscard]] std::size_t first_alike(const Edge& edge) const {
+    std::array<int, 3> at;
+    for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = reads(axis) ? edge.lower[axis] : 0;
+    return static_cast<std::size_t>(
+        edge_at_[static_cast<std::size_t>(edge.axis * point_count + point_index(at[0], at[1], at[2]))]);
   }
 
   [[nodiscard]] std::uint8_t corners(int x, int y, int z, int side) const {
@@ -427,6 +464,7 @@ class BlockSampler {
   };
 
   const Field& field_;
+  const unsigned unread_;  ///< its Field::unread_axes()
   const Lattice& lattice_;
   const LatticePoint lower_;
   const ContourSettings& settings_;

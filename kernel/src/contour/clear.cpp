@@ -100,14 +100,21 @@ class BlockInspector {
     inspect_parts(at, side / 2, field, proof.known, points);
   }
 
+  /// Parts beside each other along axes that the Field does not read are alike: those at the lower end tell what is in
+  /// the others.
   void inspect_parts(const Corner& at, int half, const Field& field, bool known,
                      std::span<const std::uint32_t> points) {
+    const unsigned unread = field.unread_axes();
+    const auto corner_of = [&](unsigned part) {
+      return Corner{at[0] + static_cast<int>(part & 1U) * half, at[1] + static_cast<int>(part >> 1 & 1U) * half,
+                    at[2] + static_cast<int>(part >> 2) * half};
+    };
     std::array<Corner, 8> corner;
     std::array<Box, 8> boxes;
     std::size_t count = 0;
-    for (int part = 0; part < 8; ++part) {
-      const Corner here{at[0] + (part & 1) * half, at[1] + (part >> 1 & 1) * half, at[2] + (part >> 2) * half};
-      if (!any_open(here, half)) continue;
+    for (unsigned part = 0; part < 8; ++part) {
+      const Corner here = corner_of(part);
+      if ((part & unread) != 0 || !any_open(here, half)) continue;
       corner[count] = here;
       boxes[count++] = cube(here, half);
     }
@@ -116,6 +123,8 @@ class BlockInspector {
     const bool simpler = std::any_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),
                                      [&](const Restriction& part) { return part.field.get() != &field; });
     if (!simpler && !known) return leave_open_cells(at, 2 * half);
+    const std::size_t first = unclear_.size();
+    const int failures = failures_, successes = successes_;
     std::vector<std::uint32_t> inner;
     for (std::size_t i = 0; i < count; ++i) {
       if (parts[i].range.decided()) continue;
@@ -123,6 +132,16 @@ class BlockInspector {
       for (const std::uint32_t j : points)
         if (boxes[i].contains(samples_.points[j].position.cast<double>())) inner.push_back(j);
       inspect(corner[i], half, *parts[i].field, inner);
+    }
+    const std::size_t last = unclear_.size();
+    const int failed = failures_ - failures, succeeded = successes_ - successes;
+    for (unsigned beside = 1; beside < 8; ++beside) {
+      if ((beside & ~unread) != 0) continue;
+      const Corner here = corner_of(beside);
+      const int step = lattice_.voxel_level();
+      append_moved(unclear_, first, last,
+                   {(here[0] - at[0]) << step, (here[1] - at[1]) << step, (here[2] - at[2]) << step});
+      failures_ += failed, successes_ += succeeded;
     }
   }
 

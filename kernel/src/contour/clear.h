@@ -25,6 +25,16 @@ struct UnclearCell {
   bool folded = false;  ///< samples show more than one sheet; if false, only a proof is missing
 };
 
+/// Appends what was found unclear before, from `first` to before `last`, for a place that is the same but for its
+/// position.
+inline void append_moved(std::vector<UnclearCell>& cells, std::size_t first, std::size_t last, const LatticePoint& by) {
+  for (; first < last; ++first) {
+    UnclearCell cell = cells[first];
+    cell.lower = moved(cell.lower, by[0], by[1], by[2]);
+    cells.push_back(std::move(cell));
+  }
+}
+
 /// Samples of a block.
 struct BlockSamples {
   const float* values;                    ///< at 9x9x9 points, x fastest

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "edges.h"
 
@@ -44,49 +46,75 @@ void BlockRefiner::give_up(bool (*which)(const UnclearCell&)) {
 
 void BlockRefiner::advance() {
   std::vector<UnclearCell> parts;
-  std::vector<Eigen::Vector3f> normals;
-  for (UnclearCell& cell : unclear_) {
+  std::map<std::pair<const Field*, LatticePoint>, Examined> examined;  // by Field and place along the axes it reads
+  for (const UnclearCell& cell : unclear_) {
     const std::uint32_t number = make(cell.lower, cell.level, *cell.field);
-    const int level = cell.level - 1, halvings = lattice_.voxel_level() - level;
-    const double side = lattice_.side(level);
-    std::array<Box, 8> boxes;
-    std::array<Restriction, 8> here;
-    for (unsigned child = 0; child < 8; ++child)
-      boxes[child] = lattice_.cube(child_of(cell.lower, child, level), level).grown(sheet_overlap * side);
-    cell.field->restrict_all(boxes, Purpose::value, here);
-    for (unsigned child = 0; child < 8; ++child) {
-      const Division& division = divisions_[number];
-      const std::uint8_t corners = division.corners(child);
-      if (here[child].range.decided() || here[child].field->affine()) continue;
-      const Field& part = *here[child].field;
-      const Box exact = lattice_.cube(child_of(cell.lower, child, level), level);
-      const bool ambiguous = !is_uniform(corners) && !is_simple(corners);
-      if (part.smooth() && part.corners_tell(exact)) {
-        if (ambiguous) parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), true});
-        continue;
-      }
-      if (part.smooth()) {
-        given_up_.push_back({child_of(cell.lower, child, level), level, nullptr, false});
-        continue;
-      }
-      normals.clear();
-      for (const Crossing& crossing : division.crossings)
-        if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
-      const SurfaceProof proof = prove_sheet(part, boxes[child], normals, side, halvings);
-      if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) continue;
-      if (part.faceted() && !proof.folded && !is_uniform(corners) && !ambiguous) {
-        given_up_.push_back({child_of(cell.lower, child, level), level, nullptr, false});
-        continue;
-      }
-      const SurfaceProof closer =
-          part.faceted() ? proof : prove_sheet_by_parts(part, boxes[child], normals, halvings, 0);
-      if (closer.one_sheet) continue;
-      const bool folded = closer.folded || ambiguous;
-      parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), folded});
+    const unsigned unread = cell.field->unread_axes();
+    LatticePoint place = cell.lower;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      if ((unread >> axis & 1U) != 0) place[axis] = 0;
+    const auto [found, is_first] =
+        examined.try_emplace({cell.field.get(), place}, Examined{cell.lower, parts.size(), 0});
+    Examined& alike = found->second;
+    if (is_first) {
+      examine_parts(cell, divisions_[number], parts);
+      alike.last = parts.size();
+    } else {
+      append_moved(parts, alike.first, alike.last,
+                   moved(cell.lower, -alike.lower[0], -alike.lower[1], -alike.lower[2]));
     }
-    cell.field.reset();
   }
   unclear_ = std::move(parts);
+}
+
+/// Appends the unclear parts of a cell that was halved last. Those beside each other along axes that the Field does not
+/// read are alike, and share their Field.
+void BlockRefiner::examine_parts(const UnclearCell& cell, const Division& division, std::vector<UnclearCell>& parts) {
+  const unsigned unread = cell.field->unread_axes();
+  const int level = division.level;
+  std::array<unsigned, 8> child;
+  std::array<Box, 8> boxes;
+  std::array<Restriction, 8> here;
+  std::size_t count = 0;
+  for (unsigned which = 0; which < 8; ++which) {
+    if ((which & unread) != 0) continue;
+    child[count] = which;
+    boxes[count++] =
+        lattice_.cube(child_of(cell.lower, which, level), level).grown(sheet_overlap * lattice_.side(level));
+  }
+  cell.field->restrict_all({boxes.data(), count}, Purpose::value, here);
+  std::array<std::size_t, 9> first{};
+  for (std::size_t i = 0; i < count; ++i) {
+    first[i] = parts.size();
+    if (!here[i].range.decided()) examine_part(division, child[i], boxes[i], std::move(here[i].field), parts);
+  }
+  first[count] = parts.size();
+  for (unsigned beside = 1; beside < 8; ++beside)
+    if ((beside & ~unread) == 0) append_moved(parts, first[0], first[count], child_of({}, beside, level));
+}
+
+void BlockRefiner::examine_part(const Division& division, unsigned child, const Box& box, FieldPtr field,
+                                std::vector<UnclearCell>& parts) {
+  if (field->affine()) return;
+  const int level = division.level, halvings = lattice_.voxel_level() - level;
+  const LatticePoint lower = child_of(division.lower, child, level);
+  const std::uint8_t corners = division.corners(child);
+  const bool ambiguous = !is_uniform(corners) && !is_simple(corners);
+  const auto give_up = [&] { given_up_.push_back({lower, level, nullptr, false}); };
+  if (field->smooth()) {
+    if (!field->corners_tell(lattice_.cube(lower, level))) return give_up();
+    if (ambiguous) parts.push_back({lower, level, std::move(field), true});
+    return;
+  }
+  static thread_local std::vector<Eigen::Vector3f> normals;
+  normals.clear();
+  for (const Crossing& crossing : division.crossings)
+    if (box.contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
+  const SurfaceProof proof = prove_sheet(*field, box, normals, lattice_.side(level), halvings);
+  if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) return;
+  if (field->faceted() && !proof.folded && !is_uniform(corners) && !ambiguous) return give_up();
+  const SurfaceProof closer = field->faceted() ? proof : prove_sheet_by_parts(*field, box, normals, halvings, 0);
+  if (!closer.one_sheet) parts.push_back({lower, level, std::move(field), closer.folded || ambiguous});
 }
 
 /// The least magnitude of the values at the corners of a cell of the division that was made last.

@@ -57,7 +57,17 @@ class BlockRefiner {
     LatticePoint lower;
     int level;
   };
+  /// A cell whose parts were examined, and where those of them stand that are not clear. Cells with the same Field,
+  /// beside it along axes that the Field does not read, are alike.
+  struct Examined {
+    LatticePoint lower;
+    std::size_t first, last;
+  };
   void give_up(bool (*which)(const UnclearCell&));
+  void examine_parts(const UnclearCell& cell, const Division& division, std::vector<UnclearCell>& parts);
+  /// `box`: the part and `overlap` around it, in which `field` equals the solid. Appends the part unless it is clear.
+  void examine_part(const Division& division, unsigned child, const Box& box, FieldPtr field,
+                    std::vector<UnclearCell>& parts);
   [[nodiscard]] Place place_of(const LatticePoint& lower, int level);
   std::uint32_t make(const LatticePoint& lower, int level, const Field& field);
   [[nodiscard]] double least_value(unsigned child) const;

@@ -218,13 +218,21 @@ class Sharpener {
       const bool held = surroundings.box.contains(box.lower) && surroundings.box.contains(box.upper);
       const Field& solid = held ? *surroundings.field : draft_.solid;
       constexpr std::size_t neighbours = 64;
+      std::vector<Box> boxes;
+      const auto group = [&](std::size_t i) {
+        return inside.subspan(i * neighbours, std::min(neighbours, inside.size() - i * neighbours));
+      };
+      for (std::size_t i = 0; i * neighbours < inside.size(); ++i) boxes.push_back(box_of(group(i)));
+      std::vector<Restriction> here(boxes.size());
+      solid.restrict_all(boxes, Purpose::value, here);
       Samples samples;
-      for (std::size_t first = 0; first < inside.size(); first += neighbours) {
-        const std::span<Flaw> some = inside.subspan(first, std::min(neighbours, inside.size() - first));
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
         samples.clear();
-        for (const Flaw& place : some) samples.add(draft_.middle(place));
-        samples.ask(*solid.restricted(box_of(some)).field);
-        for (std::size_t i = 0; i < some.size(); ++i) some[i].error = std::abs(samples.distance(i));
+        for (const Flaw& place : group(i)) samples.add(draft_.middle(place));
+        samples.ask(*here[i].field);
+        std::size_t at = 0;
+        for (Flaw& place : group(i)) place.error = std::abs(samples.distance(at++));
+        here[i] = {};
       }
     });
   }

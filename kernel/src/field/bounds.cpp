@@ -69,8 +69,10 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
   RestrictedSuspects suspects;
   Restriction whole_field = field->restricted(within, Purpose::occupancy);
   suspects.push({reach_of(within), 0}, {within, whole_field.range, std::move(whole_field.field), field->cost()});
-  for (std::size_t work = 0; !suspects.empty();) {
-    progress.check();
+  constexpr std::size_t seldom = 64;  // a check asks for the time, which takes as long as a small Field's interval
+  std::size_t work = 0;
+  for (std::size_t popped = 0; !suspects.empty(); ++popped) {
+    if (popped % seldom == 0) progress.check();
     const auto [place, next] = suspects.pop();
     work += 10 * next.cost + 1000;
     if (holds_nothing(next.range)) continue;

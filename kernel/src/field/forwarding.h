@@ -28,6 +28,7 @@ class Forwarding : public Field {
   using Field::framed;
   [[nodiscard]] Framed framed(Purpose purpose) const override { return field_->framed(purpose); }
   [[nodiscard]] bool affine() const noexcept override { return field_->affine(); }
+  [[nodiscard]] unsigned unread_axes() const noexcept override { return field_->unread_axes(); }
   [[nodiscard]] bool sampled() const noexcept override { return field_->sampled(); }
   [[nodiscard]] std::optional<Sampling> sampling() const noexcept override { return field_->sampling(); }
   [[nodiscard]] bool corners_tell(const Box& box) const noexcept override { return field_->corners_tell(box); }

@@ -213,6 +213,7 @@ class Combined final : public Field {
     const std::optional<Sampling> a = a_->sampling(), b = b_->sampling();
     return !b ? a : !a ? b : std::nullopt;
   }
+  [[nodiscard]] unsigned unread_axes() const noexcept override { return a_->unread_axes() & b_->unread_axes(); }
   [[nodiscard]] bool smooth() const noexcept override { return Rule::joins_smoothly && (a_->smooth() || b_->smooth()); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + b_->cost() + 1; }
 
@@ -291,6 +292,7 @@ class Linear final : public Field {
   [[nodiscard]] bool corners_tell(const Box& box) const noexcept override {
     return shift_ == 0 && a_->corners_tell(box);
   }
+  [[nodiscard]] unsigned unread_axes() const noexcept override { return a_->unread_axes(); }
   [[nodiscard]] bool smooth() const noexcept override { return a_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 

@@ -86,15 +86,20 @@ class Corners {
   std::size_t count_ = 0;
 };
 
+/// Up to eight boxes that make up another one.
+struct Boxes {
+  std::size_t count = 8;
+  std::array<Box, 8> box;
+};
+
 /// Parts of a box, and the Field in each.
-struct Parts {
-  Parts(const Field& field, const std::array<Box, 8>& boxes) : box(boxes) {
-    field.restrict_all(box, Purpose::value, here);
+struct Parts : Boxes {
+  Parts(const Field& field, const Boxes& boxes) : Boxes(boxes) {
+    field.restrict_all({box.data(), count}, Purpose::value, here);
   }
   /// Whether the Field's interval leaves room for a surface in a part.
   [[nodiscard]] bool undecided(std::size_t part) const { return !here[part].range.decided(); }
 
-  std::array<Box, 8> box;
   std::array<Restriction, 8> here;
 };
 
@@ -190,15 +195,17 @@ bool grows(std::span<const Interval> slopes) {
                      [](const Interval& slope) { return !slope.maybe_nan && slope.lower >= 0 && slope.upper > 0; });
 }
 
-std::array<Box, 8> halves(const Box& box) {
-  std::array<Box, 8> parts;
+/// Halves a box along each axis that the Field reads.
+Boxes halves(const Field& field, const Box& box) {
+  const unsigned unread = field.unread_axes();
   const Vec3 centre = box.centre();
-  for (unsigned part = 0; part < 8; ++part)
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const bool upper = (part >> axis & 1U) != 0;
-      parts[part].lower[axis] = upper ? centre[axis] : box.lower[axis];
-      parts[part].upper[axis] = upper ? box.upper[axis] : centre[axis];
-    }
+  Boxes parts{0, {}};
+  for (unsigned part = 0; part < 8; ++part) {
+    if ((part & unread) != 0) continue;
+    Box& half = parts.box[parts.count++] = box;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      if ((unread >> axis & 1U) == 0) ((part >> axis & 1U) != 0 ? half.lower : half.upper)[axis] = centre[axis];
+  }
   return parts;
 }
 
@@ -211,12 +218,12 @@ bool grows_where_undecided(const Field& field, const Box& box, std::span<const V
   field.slopes(box, directions, slopes);
   if (grows(slopes)) return true;
   if (depth == 0) return false;
-  const Parts parts(field, halves(box));
+  const Parts parts(field, halves(field, box));
   return undecided_parts_grow(parts, directions, depth - 1);
 }
 
 bool undecided_parts_grow(const Parts& parts, std::span<const Vec3> directions, int depth) {
-  for (std::size_t i = 0; i < parts.box.size(); ++i)
+  for (std::size_t i = 0; i < parts.count; ++i)
     if (parts.undecided(i) && !grows_where_undecided(*parts.here[i].field, parts.box[i], directions, depth))
       return false;
   return true;
@@ -226,29 +233,29 @@ bool undecided_parts_grow(const Parts& parts, std::span<const Vec3> directions, 
 void add_gradients_where_undecided(const Field& field, const Parts& parts, int depth,
                                    std::vector<Eigen::Vector3f>& normals) {
   Corners corners;
-  for (std::size_t i = 0; i < parts.box.size(); ++i) {
+  for (std::size_t i = 0; i < parts.count; ++i) {
     if (!parts.undecided(i)) continue;
+    const Field& here = *parts.here[i].field;
     if (depth == 0)
       corners.add(parts.box[i]);
     else
-      add_gradients_where_undecided(*parts.here[i].field, {*parts.here[i].field, halves(parts.box[i])}, depth - 1,
-                                    normals);
+      add_gradients_where_undecided(here, {here, halves(here, parts.box[i])}, depth - 1, normals);
   }
   if (depth == 0) corners.add_gradients(field, normals);
 }
 
 /// Eight slabs of a box across an axis.
-std::array<Box, 8> slabs(const Box& box, Eigen::Index axis) {
-  std::array<Box, 8> parts;
-  parts.fill(box);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+Boxes slabs(const Box& box, Eigen::Index axis) {
+  Boxes parts;
+  parts.box.fill(box);
+  for (std::size_t i = 0; i < parts.count; ++i) {
     const auto plane = [&](std::size_t n) {
-      return n == parts.size()
+      return n == parts.count
                  ? box.upper[axis]
-                 : box.lower[axis] + static_cast<double>(n) / static_cast<double>(parts.size()) * box.size()[axis];
+                 : box.lower[axis] + static_cast<double>(n) / static_cast<double>(parts.count) * box.size()[axis];
     };
-    parts[i].lower[axis] = plane(i);
-    parts[i].upper[axis] = plane(i + 1);
+    parts.box[i].lower[axis] = plane(i);
+    parts.box[i].upper[axis] = plane(i + 1);
   }
   return parts;
 }
@@ -377,7 +384,7 @@ SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vecto
   SurfaceProof proof;
   if (main.only) proof = prove_by_slabs();
   if (proof.one_sheet) return proof;
-  const Parts parts(field, halves(box));
+  const Parts parts(field, halves(field, box));
   proof = prove_by_parts(field, parts, normals, wanted, 0, deep);
   if (proof.one_sheet) return proof;
   if (!main.only && !normals.empty())

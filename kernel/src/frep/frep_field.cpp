@@ -148,6 +148,7 @@ class FrepField final : public Field {
   }
 
   [[nodiscard]] bool affine() const noexcept override { return is_affine(tape_); }
+  [[nodiscard]] unsigned unread_axes() const noexcept override { return frep::unread_axes(tape_); }
   [[nodiscard]] std::size_t cost() const noexcept override { return tape_.code.size() + 1; }
   [[nodiscard]] std::size_t active_nodes() const { return tape_.code.size(); }
 

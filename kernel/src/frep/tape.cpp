@@ -99,4 +99,12 @@ bool is_affine(const Tape& tape) {
   });
 }
 
+unsigned unread_axes(const Tape& tape) {
+  unsigned read = 0;
+  const auto note = [&](Operand operand) { read |= operand < first_value ? 1U << operand : 0; };
+  note(tape.root);
+  for (const Clause& clause : tape.code) note(clause.a), note(clause.b);
+  return ~read & 7U;
+}
+
 }  // namespace fieldfab::frep

@@ -23,6 +23,9 @@ Tape make_tape(const Expression& expression);
 /// Whether the tape only adds, subtracts, negates, and multiplies with and divides by constants.
 bool is_affine(const Tape& tape);
 
+/// Axes whose coordinate the tape does not read, bit i for axis i.
+unsigned unread_axes(const Tape& tape);
+
 /// Assigns slots. A clause reuses the slot of an argument that is used for the last time, if there
 /// is one. `last_use`, by operand, is the last clause that uses it. Returns the number of slots.
 std::uint32_t assign_slots(Clause* code, std::uint32_t count, const std::uint32_t* last_use);

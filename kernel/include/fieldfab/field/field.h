@@ -147,6 +147,10 @@ class Field : public std::enable_shared_from_this<Field> {
   /// Whether the function is known to be affine, a + b x + c y + d z up to rounding: a few values then determine all.
   [[nodiscard]] virtual bool affine() const noexcept { return false; }
 
+  /// Axes whose coordinate the function does not read, bit i for axis i. It is the same along them, bit for bit, as an
+  /// extrusion is away from its ends. The default is none.
+  [[nodiscard]] virtual unsigned unread_axes() const noexcept { return 0; }
+
   /// Whether the function is interpolated between samples. Its creases then lie on cell faces and are not features of
   /// the solid.
   [[nodiscard]] virtual bool sampled() const noexcept { return false; }
