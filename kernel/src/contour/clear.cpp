@@ -84,10 +84,8 @@ class BlockInspector {
     for (std::size_t i = 0; i < points.size(); i += step) add_normal(samples_.points[points[i]], normals_);
     const SurfaceProof proof = prove_sheet(field, box, normals_, lattice_.voxel(), 0);
     known_ = known_ || proof.known;
-    if (proof.one_sheet) return;
-    if (proof.known) close_far_cells(at, side, proof.change);
+    if (proof.one_sheet || proof.empty) return;
     if (side == 1) {
-      if (!open_[Block::cell(at[0], at[1], at[2])]) return;
       if (field.faceted()) return add_faceted(at, field, proof.folded);
       // After many failures a closer examination gets less effort.
       constexpr int patience = 24;
@@ -97,6 +95,7 @@ class BlockInspector {
       if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded || is_ambiguous(at));
       return;
     }
+    if (proof.known) close_far_cells(at, side, proof.change);
     inspect_parts(at, side / 2, field, proof.known, points);
   }
 
@@ -119,7 +118,8 @@ class BlockInspector {
       boxes[count++] = cube(here, half);
     }
     std::array<Restriction, 8> parts;
-    field.restrict_all({boxes.data(), count}, Purpose::value, parts);
+    // What is not near a cell's surface counts no more. Larger parts keep their values, which close_far_cells() asks.
+    field.restrict_all({boxes.data(), count}, half == 1 ? Purpose::occupancy : Purpose::value, parts);
     const bool simpler = std::any_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),
                                      [&](const Restriction& part) { return part.field.get() != &field; });
     if (!simpler && !known) return leave_open_cells(at, 2 * half);

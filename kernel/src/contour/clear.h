@@ -20,7 +20,7 @@ inline void add_normal(const SurfacePoint& point, std::vector<Eigen::Vector3f>& 
 struct UnclearCell {
   LatticePoint lower;
   int level;
-  /// Equals the solid in the cell and `overlap` around it; null if the cell is not to be examined.
+  /// Has the solid's sign in the cell and `overlap` around it; null if the cell is not to be examined.
   FieldPtr field;
   bool folded = false;  ///< samples show more than one sheet; if false, only a proof is missing
 };

@@ -48,7 +48,7 @@ void BlockRefiner::advance() {
   std::vector<UnclearCell> parts;
   std::map<std::pair<const Field*, LatticePoint>, Examined> examined;  // by Field and place along the axes it reads
   for (const UnclearCell& cell : unclear_) {
-    const std::uint32_t number = make(cell.lower, cell.level, *cell.field);
+    const std::uint32_t number = make(cell.lower, cell.level);
     const unsigned unread = cell.field->unread_axes();
     LatticePoint place = cell.lower;
     for (unsigned axis = 0; axis < 3; ++axis)
@@ -82,7 +82,7 @@ void BlockRefiner::examine_parts(const UnclearCell& cell, const Division& divisi
     boxes[count++] =
         lattice_.cube(child_of(cell.lower, which, level), level).grown(sheet_overlap * lattice_.side(level));
   }
-  cell.field->restrict_all({boxes.data(), count}, Purpose::value, here);
+  cell.field->restrict_all({boxes.data(), count}, Purpose::occupancy, here);
   std::array<std::size_t, 9> first{};
   for (std::size_t i = 0; i < count; ++i) {
     first[i] = parts.size();
@@ -111,30 +111,17 @@ void BlockRefiner::examine_part(const Division& division, unsigned child, const 
   for (const Crossing& crossing : division.crossings)
     if (box.contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
   const SurfaceProof proof = prove_sheet(*field, box, normals, lattice_.side(level), halvings);
-  if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) return;
+  if (proof.one_sheet || proof.empty) return;
   if (field->faceted() && !proof.folded && !is_uniform(corners) && !ambiguous) return give_up();
   const SurfaceProof closer = field->faceted() ? proof : prove_sheet_by_parts(*field, box, normals, halvings, 0);
   if (!closer.one_sheet) parts.push_back({lower, level, std::move(field), closer.folded || ambiguous});
-}
-
-/// The least magnitude of the values at the corners of a cell of the division that was made last.
-double BlockRefiner::least_value(unsigned child) const {
-  float least = std::numeric_limits<float>::infinity();
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    unsigned point = 0;
-    for (unsigned axis = 0; axis < 3; ++axis) point += ((child >> axis & 1U) + (corner >> axis & 1U)) * stride[axis];
-    least = std::min(least, std::abs(values_[point]));
-  }
-  return least;
 }
 
 void BlockRefiner::divide(const DivisionRequest& request, int finest) {
   for (;;) {
     const Place place = place_of(request.lower, request.level);
     if (*place.division != Division::none || (request.only_ambiguous && !is_ambiguous(place))) return;
-    const double reach = sheet_overlap * lattice_.side(place.level);
-    const FieldPtr field = field_->restricted(lattice_.cube(place.lower, place.level).grown(reach)).field;
-    const std::uint32_t made = make(place.lower, place.level, *field);
+    const std::uint32_t made = make(place.lower, place.level);
     divide_ambiguous(made, finest);
     if (place.level == request.level) return;
   }
@@ -189,7 +176,9 @@ BlockRefiner::Place BlockRefiner::place_of(const LatticePoint& lower, int level)
   return place;
 }
 
-std::uint32_t BlockRefiner::make(const LatticePoint& lower, int level, const Field& field) {
+/// Neighbours find the same crossings on their common edges, since all ask for the solid's own values.
+std::uint32_t BlockRefiner::make(const LatticePoint& lower, int level) {
+  const FieldPtr solid = field_->restricted(lattice_.cube(lower, level)).field;
   const auto number = static_cast<std::uint32_t>(divisions_.size());
   *place_of(lower, level).division = number;
   Division division{lower, level - 1};
@@ -198,10 +187,9 @@ std::uint32_t BlockRefiner::make(const LatticePoint& lower, int level, const Fie
     for (int i = 0; i < 3; ++i)
       plane[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)] =
           static_cast<float>(lattice_.plane(axis, lower[static_cast<std::size_t>(axis)] + (i << division.level)));
-  std::array<float, 27> x, y, z;
-  std::array<float, 27>& value = values_;
+  std::array<float, 27> x, y, z, value;
   for (std::size_t i = 0; i < 27; ++i) x[i] = plane[0][i % 3], y[i] = plane[1][i / 3 % 3], z[i] = plane[2][i / 9];
-  field.values({x.data(), y.data(), z.data(), 27}, value.data());
+  solid->values({x.data(), y.data(), z.data(), 27}, value.data());
   for (unsigned i = 0; i < 27; ++i) division.inside |= static_cast<unsigned>(value[i] < 0) << i;
 
   static thread_local std::vector<CrossedEdge> edges;
@@ -223,7 +211,7 @@ std::uint32_t BlockRefiner::make(const LatticePoint& lower, int level, const Fie
       edges.push_back(
           {static_cast<int>(axis), {x[i], y[i], z[i]}, plane[axis][i / stride[axis] % 3 + 1], value[i], value[next]});
     }
-  locate_crossings(field, edges, lattice_.side(division.level), static_cast<float>(lattice_.float_step()), points);
+  locate_crossings(*solid, edges, lattice_.side(division.level), static_cast<float>(lattice_.float_step()), points);
   for (std::size_t i = 0; i < points.size(); ++i) division.crossings[i].point = points[i];
   divisions_.push_back(std::move(division));
   return number;

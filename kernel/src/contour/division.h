@@ -69,8 +69,7 @@ class BlockRefiner {
   void examine_part(const Division& division, unsigned child, const Box& box, FieldPtr field,
                     std::vector<UnclearCell>& parts);
   [[nodiscard]] Place place_of(const LatticePoint& lower, int level);
-  std::uint32_t make(const LatticePoint& lower, int level, const Field& field);
-  [[nodiscard]] double least_value(unsigned child) const;
+  std::uint32_t make(const LatticePoint& lower, int level);
   void divide_ambiguous(std::uint32_t division, int finest);
   [[nodiscard]] bool is_ambiguous(const Place& place) const;
   void request(const LatticePoint& lower, int level, bool only_ambiguous, std::vector<DivisionRequest>& requests) const;
@@ -81,8 +80,7 @@ class BlockRefiner {
   std::vector<UnclearCell> unclear_, given_up_;
   std::vector<Division> divisions_;
   std::vector<std::uint32_t> division_of_;
-  std::array<float, 27> values_{};  ///< of the latest division
-  std::size_t requested_ = 0;       ///< number of divisions whose requests have been collected
+  std::size_t requested_ = 0;  ///< number of divisions whose requests have been collected
 };
 
 }  // namespace fieldfab::contouring

@@ -58,9 +58,10 @@ void estimate_needs(const Field& solid, std::span<const UncertainCell> cells, Ce
   const auto thin = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 10);
   std::nth_element(found.begin(), thin, found.end());
   certainty.wanted_voxel = *thin / 2;
-  // Two sheets. Each meets about 1.5 cells for each cell's area that it covers, and has two
-  // triangles for each smaller cell's area.
-  constexpr double per_area = 2 * 2 / 1.5;
+  // Two sheets. Each meets about 1.5 cells for each cell's area that it covers, and has about four
+  // triangles for each smaller cell's area: two where it is flat and faces an axis, six where it is
+  // bent.
+  constexpr double per_area = 2 * 4 / 1.5;
   for (const UncertainCell& cell : cells)
     certainty.wanted_triangles += per_area * std::pow(cell.side / certainty.wanted_voxel, 2);
 }

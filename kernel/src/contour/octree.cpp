@@ -169,7 +169,7 @@ bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_
   constexpr std::size_t few = 4000;  // halving so many one by one takes less time than a new start
   constexpr std::size_t sheet =
       200;  // a block with more of its 512 cells is rough and contains no sheet; half the voxel does not help
-  return lattice_.voxel_level() > 0 && folded > few && folded < sheet * blocks && 4 * folded > crossed &&
+  return lattice_.voxel_level() > 0 && folded > few && folded < sheet * blocks && 6 * folded > crossed &&
          folded <= settings.most_divided && 4 * blocks * bytes_a_block < available_memory() / 2;
 }
 

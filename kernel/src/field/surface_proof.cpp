@@ -49,9 +49,9 @@ class Corners {
   }
 
   /// Adds the directions of the gradients there. They are evaluated in one batch: eight points cost nearly as much as
-  /// thirty.
-  void add_gradients(const Field& field, std::vector<Eigen::Vector3f>& normals) const {
-    if (count_ == 0) return;
+  /// thirty. Returns the magnitude of the value nearest to zero if all values have one sign, otherwise 0.
+  float add_gradients(const Field& field, std::vector<Eigen::Vector3f>& normals) const {
+    if (count_ == 0) return 0;
     std::array<float, most> value, dx, dy, dz;
     field.gradients({x_.data(), y_.data(), z_.data(), count_}, value.data(), {dx.data(), dy.data(), dz.data()});
     for (std::size_t i = 0; i < count_; ++i) {
@@ -59,6 +59,13 @@ class Corners {
       const float length = gradient.norm();
       if (std::isfinite(length) && length > 0) normals.push_back(gradient / length);
     }
+    const float first = value[0];
+    float least = std::abs(first);
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (!((value[i] < 0) == (first < 0)) || std::isnan(value[i])) return 0;
+      least = std::min(least, std::abs(value[i]));
+    }
+    return least;
   }
 
  private:
@@ -92,10 +99,10 @@ struct Boxes {
   std::array<Box, 8> box;
 };
 
-/// Parts of a box, and the Field in each.
+/// Parts of a box, and a Field with the same sign in each.
 struct Parts : Boxes {
   Parts(const Field& field, const Boxes& boxes) : Boxes(boxes) {
-    field.restrict_all({box.data(), count}, Purpose::value, here);
+    field.restrict_all({box.data(), count}, Purpose::occupancy, here);
   }
   /// Whether the Field's interval leaves room for a surface in a part.
   [[nodiscard]] bool undecided(std::size_t part) const { return !here[part].range.decided(); }
@@ -315,7 +322,7 @@ SurfaceProof prove_by_slopes(const Field& field, const Box& box, std::vector<Eig
   const std::size_t given = normals.size();
   Corners corners;
   corners.add(box);
-  corners.add_gradients(field, normals);
+  const float least = corners.add_gradients(field, normals);
   const Wanted wanted(halvings);
   const Cone cone = cone_about(normals, wanted.least_cosine());
   normals.resize(given);
@@ -325,14 +332,17 @@ SurfaceProof prove_by_slopes(const Field& field, const Box& box, std::vector<Eig
   std::array<Interval, 3 + edges_of_pyramid> slopes;
   const std::size_t count = proof.folded ? 3 : directions.size();
   field.slopes(box, {directions.data(), count}, {slopes.data(), count});
-  double change = 0;
+  double change = 0, change_to_corner = 0;
   proof.known = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     proof.known = proof.known && !slopes[axis].maybe_nan;
-    change += std::max(std::abs(slopes[axis].lower), std::abs(slopes[axis].upper));
+    const double steepest = std::max(std::abs(slopes[axis].lower), std::abs(slopes[axis].upper));
+    change += steepest;
+    change_to_corner += steepest * box.size()[static_cast<Eigen::Index>(axis)] / 2;
   }
   constexpr double rounding = 1.001;
   proof.change = proof.known ? rounding * change * side / 2 : std::numeric_limits<double>::infinity();
+  proof.empty = proof.known && static_cast<double>(least) > rounding * change_to_corner;
   if (proof.folded || !proof.known) return proof;
   const std::span<Interval> along{slopes.data() + 3, edges_of_pyramid};
   proof.one_sheet = grows(along);

@@ -13,6 +13,9 @@ struct SurfaceProof {
   bool folded = false;  ///< whether normals or gradients differ so much that the surface is not a graph
   /// whether the surface is the graph of a function over a plane, within the permitted steepness
   bool one_sheet = false;
+  /// whether the values at the box's corners have one sign and are farther from zero than the value can change on the
+  /// way to any point of the box, so that it contains no surface
+  bool empty = false;
   /// bound of the difference between a value and that at the nearest corner of the cell; infinite if unknown
   double change = 0;
 };
