@@ -52,7 +52,7 @@ void Mender::confine(const Flaw& flaw, float reach) {
   local_ = (holds(block.box)           ? *block.field
             : holds(surroundings_.box) ? *surroundings_.field
                                        : draft_.solid)
-               .restricted(local_box_)
+               .restricted(local_box_, Purpose::occupancy)
                .field;
 }
 
@@ -65,7 +65,7 @@ const Surroundings::Block& Mender::block_of(const Cell& cell) {
     MeshEditor::Region region{lower, lower, {}, {}, {}};
     for (std::size_t i = 0; i < 3; ++i) region.lower[i] -= 1, region.upper[i] += 3;
     block.box = draft_.editor.extent(region);
-    block.field = surroundings_.field->restricted(block.box).field;
+    block.field = surroundings_.field->restricted(block.box, Purpose::occupancy).field;
   }
   return block;
 }

@@ -224,7 +224,7 @@ class Sharpener {
       };
       for (std::size_t i = 0; i * neighbours < inside.size(); ++i) boxes.push_back(box_of(group(i)));
       std::vector<Restriction> here(boxes.size());
-      solid.restrict_all(boxes, Purpose::value, here);
+      solid.restrict_all(boxes, Purpose::occupancy, here);
       Samples samples;
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         samples.clear();
@@ -327,7 +327,7 @@ class Sharpener {
     Surroundings& surroundings = keeps ? *kept : own;
     if (surroundings.field) return surroundings;
     surroundings.box = editor_.extent(region);
-    surroundings.field = draft_.solid.restricted(surroundings.box).field;
+    surroundings.field = draft_.solid.restricted(surroundings.box, Purpose::occupancy).field;
     if (keeps) count_kept(surroundings);
     return surroundings;
   }
