@@ -180,19 +180,24 @@ class CellInspector {
     boxes.reserve(parts.size());
     for (const CellRange& part : parts) boxes.push_back(looked_at(part));
     std::vector<Restriction> here(parts.size());
-    field.restrict_all(boxes, Purpose::value, here);
+    // In a cell, what is not near its surface counts no more. Larger parts keep what covers the kinks of others.
+    const bool of_cells = std::all_of(parts.begin(), parts.end(), is_cell);
+    field.restrict_all(boxes, of_cells ? Purpose::occupancy : Purpose::value, here);
     return here;
   }
+  [[nodiscard]] static bool is_cell(const CellRange& range) {
+    return range.count == std::array<std::int32_t, 3>{1, 1, 1};
+  }
 
-  /// `field` is good for the range, and its interval there leaves room for a surface.
+  /// `field` has the solid's sign in the range, and its interval there leaves room for a surface.
   void inspect(const Field& field, const CellRange& range, Task& task) const {
     if (field.smooth()) return leave_open(range, task);
     const Box box = looked_at(range);
     task.normals.clear();
     const SurfaceProof proof = prove_sheet(field, box, task.normals, side_, 0);
     task.known = task.known || proof.known;
-    if (proof.one_sheet) return;
-    if (range.count == std::array<std::int32_t, 3>{1, 1, 1}) {
+    if (proof.one_sheet || proof.empty) return;
+    if (is_cell(range)) {
       // Where it has been to no avail often, it is not worth much more.
       constexpr std::size_t patience = 64;
       const bool hopeless = task.cells.size() > patience + task.proved;
