@@ -118,7 +118,8 @@ class BlockInspector {
       boxes[count++] = cube(here, half);
     }
     std::array<Restriction, 8> parts;
-    // What is not near a cell's surface counts no more. Larger parts keep their values, which close_far_cells() asks.
+    // Of a cell the sign is enough: what is not near its surface counts no more. Larger parts keep their values, which
+    // close_far_cells() asks, and what covers the kinks of others.
     field.restrict_all({boxes.data(), count}, half == 1 ? Purpose::occupancy : Purpose::value, parts);
     const bool simpler = std::any_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),
                                      [&](const Restriction& part) { return part.field.get() != &field; });
@@ -135,12 +136,11 @@ class BlockInspector {
     }
     const std::size_t last = unclear_.size();
     const int failed = failures_ - failures, succeeded = successes_ - successes;
+    const LatticePoint lower = point(at);
     for (unsigned beside = 1; beside < 8; ++beside) {
       if ((beside & ~unread) != 0) continue;
-      const Corner here = corner_of(beside);
-      const int step = lattice_.voxel_level();
-      append_moved(unclear_, first, last,
-                   {(here[0] - at[0]) << step, (here[1] - at[1]) << step, (here[2] - at[2]) << step});
+      const LatticePoint there = point(corner_of(beside));
+      append_moved(unclear_, first, last, {there[0] - lower[0], there[1] - lower[1], there[2] - lower[2]});
       failures_ += failed, successes_ += succeeded;
     }
   }

@@ -25,8 +25,7 @@ struct UnclearCell {
   bool folded = false;  ///< samples show more than one sheet; if false, only a proof is missing
 };
 
-/// Appends what was found unclear before, from `first` to before `last`, for a place that is the same but for its
-/// position.
+/// Appends the cells from `first` to before `last` once more, moved to a place that is alike.
 inline void append_moved(std::vector<UnclearCell>& cells, std::size_t first, std::size_t last, const LatticePoint& by) {
   for (; first < last; ++first) {
     UnclearCell cell = cells[first];

@@ -83,14 +83,12 @@ void BlockRefiner::examine_parts(const UnclearCell& cell, const Division& divisi
         lattice_.cube(child_of(cell.lower, which, level), level).grown(sheet_overlap * lattice_.side(level));
   }
   cell.field->restrict_all({boxes.data(), count}, Purpose::occupancy, here);
-  std::array<std::size_t, 9> first{};
-  for (std::size_t i = 0; i < count; ++i) {
-    first[i] = parts.size();
+  const std::size_t first = parts.size();
+  for (std::size_t i = 0; i < count; ++i)
     if (!here[i].range.decided()) examine_part(division, child[i], boxes[i], std::move(here[i].field), parts);
-  }
-  first[count] = parts.size();
+  const std::size_t last = parts.size();
   for (unsigned beside = 1; beside < 8; ++beside)
-    if ((beside & ~unread) == 0) append_moved(parts, first[0], first[count], child_of({}, beside, level));
+    if ((beside & ~unread) == 0) append_moved(parts, first, last, child_of({}, beside, level));
 }
 
 void BlockRefiner::examine_part(const Division& division, unsigned child, const Box& box, FieldPtr field,

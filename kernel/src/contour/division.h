@@ -65,7 +65,8 @@ class BlockRefiner {
   };
   void give_up(bool (*which)(const UnclearCell&));
   void examine_parts(const UnclearCell& cell, const Division& division, std::vector<UnclearCell>& parts);
-  /// `box`: the part and `overlap` around it, in which `field` equals the solid. Appends the part unless it is clear.
+  /// `box`: the part and `overlap` around it, in which `field` has the solid's sign. Appends the part unless it is
+  /// clear.
   void examine_part(const Division& division, unsigned child, const Box& box, FieldPtr field,
                     std::vector<UnclearCell>& parts);
   [[nodiscard]] Place place_of(const LatticePoint& lower, int level);
