@@ -148,13 +148,18 @@ class BlockInspector {
   /// Between samples a cell shows all of the surface unless its corners are ambiguous. A trilinear
   /// function takes its extremes at the corners, and has one sheet if their signs make one patch.
   void inspect_samples(const Corner& at, int side, const Field& field) {
+    const auto corners_tell = [&](const Corner& cell) {
+      return field.corners_tell(lattice_.cube(point(cell), lattice_.voxel_level()));
+    };
+    // Cells on the diagonal have the sides of all others.
+    bool all_tell = true;
+    for (int i = 0; i < side && all_tell; ++i) all_tell = corners_tell({at[0] + i, at[1] + i, at[2] + i});
     for (int z = at[2]; z < at[2] + side; ++z)
       for (int y = at[1]; y < at[1] + side; ++y)
         for (int x = at[0]; x < at[0] + side; ++x) {
           const Corner cell{x, y, z};
           if (!open_[Block::cell(x, y, z)]) continue;
-          const Box box = lattice_.cube(point(cell), lattice_.voxel_level());
-          if (!field.corners_tell(box)) {
+          if (!all_tell && !corners_tell(cell)) {
             add(cell, nullptr, false);
           } else {
             known_ = true;

@@ -160,7 +160,7 @@ class Field : public std::enable_shared_from_this<Field> {
   [[nodiscard]] virtual std::optional<Sampling> sampling() const noexcept { return std::nullopt; }
 
   /// Whether the signs in `box` are those of a trilinear function, up to rounding: if all corners have the same sign,
-  /// so has the whole box.
+  /// so has the whole box. Axes count by themselves: a box tells if others with its sides along x, y and z do.
   [[nodiscard]] virtual bool corners_tell(const Box& /*box*/) const noexcept { return affine(); }
 
   /// Whether edges in a small box are noise: the restricted Field is sampled(), or blends smoothly with a sampled
