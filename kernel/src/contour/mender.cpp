@@ -19,6 +19,7 @@ constexpr float thin_cosine = 0.2F;
 constexpr std::size_t samples_a_triangle = 7;
 
 bool is_sharp(const PlacedVertex& feature) { return feature.directions > 1; }
+bool is_corner(const PlacedVertex& feature) { return feature.directions > 2; }
 
 Box united(const Box& box, const Eigen::Vector3f& point) {
   return {box.lower.cwiseMin(point.cast<double>()), box.upper.cwiseMax(point.cast<double>())};
@@ -155,11 +156,16 @@ bool Mender::place(const Star& star, const Flaw& flaw, const Misfit& before) {
 /// Builds the star's triangles with its vertex on a feature that was found up to `reach` mm away.
 bool Mender::place_on(const Star& star, PlacedVertex target, float reach, const Misfit& before) {
   if (draft_.features_only && !is_sharp(target)) return false;
-  // A curved crease is located better from nearer planes.
-  if (is_sharp(target)) {
-    const PlacedVertex closer =
-        feature_near(*local_, local_box_, target.position.cast<float>(), 0.25F * reach, search_);
-    if (is_sharp(closer)) target = closer;
+  // A curved crease is located better from nearer planes, and a corner of curved faces from still nearer ones: it is to
+  // lie on flat faces exactly.
+  constexpr int most_rounds = 3;
+  for (int round = 0; round < most_rounds && (round == 0 ? is_sharp(target) : is_corner(target)); ++round) {
+    reach *= 0.25F;
+    const PlacedVertex closer = feature_near(*local_, local_box_, target.position.cast<float>(), reach, search_);
+    if (!is_sharp(closer)) break;
+    const double moved = (closer.position - target.position).norm();
+    target = closer;
+    if (moved < static_cast<double>(draft_.tolerance)) break;
   }
   if (!local_box_.contains(target.position)) return false;
   const Eigen::Vector3f position = target.position.cast<float>();
