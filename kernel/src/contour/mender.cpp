@@ -188,7 +188,8 @@ bool Mender::span(Star star, Misfit before) {
     if (folded.empty()) {
       constexpr std::size_t at_the_vertex = 3;  // the sample at the last vertex of the first triangle
       const bool on_surface = std::abs(scratch_.distance(at_the_vertex)) < 0.5F * draft_.tolerance;
-      return (after.closer_than(before) || (on_surface && after.farthest < 1.02F * before.farthest)) &&
+      return !has_short_edge(star) &&
+             (after.closer_than(before) || (on_surface && after.farthest < 1.02F * before.farthest)) &&
              draft_.editor.replace(region_, star.old, fresh, star.displaced, made);
     }
     for (const std::size_t i : folded)
@@ -197,6 +198,14 @@ bool Mender::span(Star star, Misfit before) {
     before = {std::max(before.farthest, added.farthest), before.squares + added.squares};
   }
   return false;
+}
+
+/// Whether the star's vertex is as near to another as no vertices on an edge of the lattice are. Then that one is on
+/// the feature already, and programs that join near vertices would not read the mesh as it is.
+bool Mender::has_short_edge(const Star& star) const {
+  const float least = draft_.voxel / 2048;
+  return std::any_of(star.rim.begin(), star.rim.end(),
+                     [&](const auto& edge) { return (draft_.at(edge[0]) - draft_.at(star.vertex)).norm() < least; });
 }
 
 /// Adds the triangle beyond one edge of the rim to the star.
