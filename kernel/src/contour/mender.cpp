@@ -188,9 +188,8 @@ bool Mender::span(Star star, Misfit before) {
     if (folded.empty()) {
       constexpr std::size_t at_the_vertex = 3;  // the sample at the last vertex of the first triangle
       const bool on_surface = std::abs(scratch_.distance(at_the_vertex)) < 0.5F * draft_.tolerance;
-      return !has_short_edge(star) &&
-             (after.closer_than(before) || (on_surface && after.farthest < 1.02F * before.farthest)) &&
-             draft_.editor.replace(region_, star.old, fresh, star.displaced, made);
+      return (after.closer_than(before) || (on_surface && after.farthest < 1.02F * before.farthest)) &&
+             !is_near_another(star) && draft_.editor.replace(region_, star.old, fresh, star.displaced, made);
     }
     for (const std::size_t i : folded)
       if (!grow(star, i)) return false;
@@ -200,12 +199,23 @@ bool Mender::span(Star star, Misfit before) {
   return false;
 }
 
-/// Whether the star's vertex is as near to another as no vertices on an edge of the lattice are. Then that one is on
-/// the feature already, and programs that join near vertices would not read the mesh as it is.
-bool Mender::has_short_edge(const Star& star) const {
+/// Whether the star's vertex is as near to another, on its rim or a triangle beyond, as no vertices on an edge of the
+/// lattice are. Then that one is on the feature already; programs that join near vertices would tear the mesh there.
+bool Mender::is_near_another(const Star& star) const {
+  const Eigen::Vector3f place = draft_.at(star.vertex);
   const float least = draft_.voxel / 2048;
-  return std::any_of(star.rim.begin(), star.rim.end(),
-                     [&](const auto& edge) { return (draft_.at(edge[0]) - draft_.at(star.vertex)).norm() < least; });
+  const auto is_near = [&](std::uint32_t vertex) {
+    return vertex != star.vertex && (draft_.at(vertex) - place).norm() < least;
+  };
+  return std::any_of(star.rim.begin(), star.rim.end(), [&](const auto& edge) {
+    if (is_near(edge[0])) return true;
+    if (!draft_.editor.holds_fan(region_, edge[0])) return false;  // others may change it
+    const auto fan = draft_.editor.fan(edge[0]);
+    return std::any_of(fan.begin(), fan.end(), [&](std::uint32_t t) {
+      const Triangle& beyond = draft_.mesh.triangles[t];
+      return std::any_of(beyond.begin(), beyond.end(), is_near);
+    });
+  });
 }
 
 /// Adds the triangle beyond one edge of the rim to the star.

@@ -93,7 +93,7 @@ class Mender {
   bool place(const Star& star, const Flaw& flaw, const Misfit& before);
   bool place_on(const Star& star, PlacedVertex target, float reach, const Misfit& before);
   bool span(Star star, Misfit before);
-  [[nodiscard]] bool has_short_edge(const Star& star) const;
+  [[nodiscard]] bool is_near_another(const Star& star) const;
   bool grow(Star& star, std::size_t edge);
   bool find_diamond(const Flaw& edge, Diamond& diamond) const;
   [[nodiscard]] std::uint32_t opposite(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const;
