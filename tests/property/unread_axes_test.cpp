@@ -93,7 +93,7 @@ const Box around{Vec3::Constant(-2.6), Vec3::Constant(6.1)};
 
 RC_GTEST_PROP(UnreadAxes, MakeNoDifferenceToSamples, ()) {
   const FieldPtr field = random_extrusions();
-  const ContourSettings settings{.voxel = 0.3 + 0.02 * draw(0, 10), .features = false, .depth = 0};
+  const ContourSettings settings{.voxel = 0.5 + 0.02 * draw(0, 10), .features = false, .depth = 0};
   const ContourMesh told = contour(*field, around, settings),
                     untold = contour(*std::make_shared<Reticent>(field), around, settings);
   RC_ASSERT((told.vertices == untold.vertices));
@@ -104,7 +104,7 @@ RC_GTEST_PROP(UnreadAxes, MakeNoDifferenceToSamples, ()) {
 // a few cells more or less are halved; what is certain and the solid are the same.
 RC_GTEST_PROP(UnreadAxes, MakeNoDifferenceToWhatIsCertain, ()) {
   const FieldPtr field = random_extrusions();
-  const ContourSettings settings{.voxel = 0.3 + 0.02 * draw(0, 10), .features = false};
+  const ContourSettings settings{.voxel = 0.5 + 0.02 * draw(0, 10), .features = false};
   const ContourMesh told = contour(*field, around, settings),
                     untold = contour(*std::make_shared<Reticent>(field), around, settings);
   RC_ASSERT(told.certainty.certain() == untold.certainty.certain());
