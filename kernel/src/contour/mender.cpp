@@ -158,8 +158,7 @@ bool Mender::place_on(const Star& star, PlacedVertex target, float reach, const 
   if (draft_.features_only && !is_sharp(target)) return false;
   // A curved crease is located better from nearer planes, and a corner of curved faces from still nearer ones: it is to
   // lie on flat faces exactly.
-  constexpr int most_rounds = 3;
-  for (int round = 0; round < most_rounds && (round == 0 ? is_sharp(target) : is_corner(target)); ++round) {
+  for (int round = 0; is_sharp(target) && round < (is_corner(target) ? 3 : 1); ++round) {
     reach *= 0.25F;
     const PlacedVertex closer = feature_near(*local_, local_box_, target.position.cast<float>(), reach, search_);
     if (!is_sharp(closer)) break;

@@ -39,7 +39,7 @@ SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::
 /// surface: from slabs across the axis that `normals` face most (of thin plates the other face lies in slabs of its
 /// own), and from halves, which are halved up to `deep` times. The other parts lie on one side whatever their slopes,
 /// so that each line along the axis still meets the surface once. Of no use for faceted Fields. May append to
-/// `normals`; does not set `change`.
+/// `normals`; sets neither `change` nor `empty`.
 SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals,
                                   int halvings, int deep);
 
