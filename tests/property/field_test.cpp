@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
@@ -100,6 +102,46 @@ RC_GTEST_PROP(FieldOperations, IntervalsHoldValuesAndRestrictionChangesNothing, 
     RC_ASSERT(ax[i] == bx[i] && ay[i] == by[i] && az[i] == bz[i]);
     RC_ASSERT((a[i] < 0) == (c[i] < 0));
   }
+}
+
+/// Asserts that no point of a cloud that lies in the solid lies outside its bounds.
+void assert_holds(const SolidBounds& bounds, const Field& solid, const Cloud& cloud) {
+  std::vector<float> value(cloud.x.size());
+  solid.values(cloud.points(), value.data());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (!(value[i] < 0)) continue;
+    RC_ASSERT(!bounds.empty);
+    const std::array at{cloud.x[i], cloud.y[i], cloud.z[i]};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double place = at[static_cast<std::size_t>(axis)];
+      RC_ASSERT(!bounds.bounded[axis] || (bounds.box.lower[axis] <= place && place <= bounds.box.upper[axis]));
+    }
+  }
+}
+
+RC_GTEST_PROP(Bounds, HoldTheSolid, ()) {
+  const FieldPtr solid =
+      draw(0, 3) == 0 ? frep::make_field(frep::random_expression(draw(1, 12))) : random_solid(draw(0, 4));
+  SolidBounds bounds = solid_bounds(*solid);
+  const auto assert_all = [&] {
+    assert_holds(bounds, *solid, Cloud({Vec3::Constant(-3), Vec3::Constant(3)}, 2000));
+    if (bounds.empty || !bounds.is_bounded()) return;
+    const Vec3 size = bounds.box.size();
+    assert_holds(bounds, *solid, Cloud(bounds.box.grown(0.02 * size.maxCoeff()), 2000));
+    for (int axis = 0; axis < 3; ++axis)  // slabs beside the faces
+      for (const bool upper : {false, true}) {
+        Box slab = bounds.box;
+        const double face = (upper ? slab.upper : slab.lower)[axis], thick = 0.005 * size[axis];
+        slab.lower[axis] = face - thick, slab.upper[axis] = face + thick;
+        assert_holds(bounds, *solid, Cloud(slab, 500));
+      }
+  };
+  assert_all();
+  if (bounds.empty || !bounds.is_bounded()) return;
+  const Box whole = bounds.box;
+  bounds.box = tight_bounds(*solid, whole);
+  RC_ASSERT(whole.contains(bounds.box.lower) && whole.contains(bounds.box.upper));
+  assert_all();
 }
 
 /// Boxes about the planes between copies of a solid, and points at these planes, one float after the other.

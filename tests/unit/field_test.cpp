@@ -1,8 +1,10 @@
 // Operations on Fields against closed forms, and bounds of solids.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
@@ -96,6 +98,31 @@ TEST(Bounds, AreFoundNotGuessed) {
                 {{-std::sqrt(2.0), -std::sqrt(2.0), -1}, {std::sqrt(2.0), std::sqrt(2.0), 1}});
   expect_bounds(frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm"))),
                 {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)});
+}
+
+// Flat faces of many holes and parts are found as closely as those of one box.
+TEST(Bounds, AreCloseAroundPartsOfManyFaces) {
+  std::string holes, pins;
+  for (int i = 0; i < 200; ++i)
+    holes += fmt::format(", move(cylinder(1.2, 9), {}, {})", 6 * (i % 16) - 45, 6 * (i / 16) - 36);
+  for (int i = 0; i < 30; ++i) pins += fmt::format("{}move(cylinder(1, {}), {}, 0)", i == 0 ? "" : ", ", i + 1, 3 * i);
+  const struct {
+    std::string solid;
+    Box expected;
+  } parts[] = {{"difference(box(100, 80, 3)" + holes + ")", {{-50, -40, -1.5}, {50, 40, 1.5}}},
+               {"union(" + pins + ")", {{-1, -1, -15}, {88, 1, 15}}},
+               {"box(100, 0.1, 0.01)", {{-50, -0.05, -0.005}, {50, 0.05, 0.005}}}};
+  for (const auto& [text, expected] : parts) {
+    const SolidBounds found = solid_bounds(*frep::make_field(frep::parse_infix(text)));
+    ASSERT_TRUE(found.is_bounded() && !found.empty) << text;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double near = expected.size()[axis] / 100;
+      EXPECT_LE(found.box.lower[axis], expected.lower[axis]) << text << axis;
+      EXPECT_GE(found.box.upper[axis], expected.upper[axis]) << text << axis;
+      EXPECT_NEAR(found.box.lower[axis], expected.lower[axis], near) << text << axis;
+      EXPECT_NEAR(found.box.upper[axis], expected.upper[axis], near) << text << axis;
+    }
+  }
 }
 
 // A second look needs no search; what was cancelled is not kept, and another Field has its own.

@@ -70,7 +70,7 @@ def lattice(document):
 
     knob = _solid(document, FrepSolid, "Knob", 1.4, Expression=KNOB, MaxError=0.15)
     filled = _solid(document, Modify, "Filled knob", 1.05, Operation="Lattice infill", Source=knob, Wall=1.6, Period=12,
-                    Strut=1.6, MaxError=0.15)
+                    Strut=1.6, MaxError=0.2)
     knob.ViewObject.Visibility = False
     filled.ViewObject.Transparency = 55
 

@@ -10,8 +10,8 @@
 namespace fieldfab::contouring {
 namespace {
 
-// Shapes are drawn on round numbers. Planes at other numbers keep the surface from running along a
-// lattice plane.
+// Shapes are drawn on round numbers, often multiples of the voxel. Planes at such multiples less a part of a voxel keep
+// the surface from running along a plane, or close to one, wherever the bounds are.
 const Vec3 shift{0.4142135, 0.3660254, 0.2886751};
 
 constexpr int greatest_level = 20;     // of the root, in voxels
@@ -28,7 +28,9 @@ void check(const Box& bounds, double voxel) {
 
 Lattice::Lattice(const Box& bounds, double voxel, int depth) : voxel_(Vec3::Constant(voxel)) {
   check(bounds, voxel);
-  origin_ = bounds.lower - voxel * (Vec3::Ones() + shift);
+  constexpr double rounding = 1e-9;  // so that a multiple of the voxel is one
+  const Eigen::Array3d first = (bounds.lower.array() / voxel + rounding).floor() - 1;
+  origin_ = voxel * (first.matrix() - shift);
   set_levels(bounds, depth);
 }
 
