@@ -13,8 +13,8 @@ machine = "linuxcnc"
 [input]
 model = "part.frep"
 [stock]
-margin = 2
-top = 0.5
+lower = [-22.03, -17.02, -8.04]
+upper = [22.03, 17.02, 0.5]
 """ + TOOLS + """
 [[operation]]
 type = "rough"

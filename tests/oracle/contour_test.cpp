@@ -182,6 +182,23 @@ TEST(Contour, KeepsTheEdgeOfAKnife) {
   EXPECT_NEAR(mesh.volume(), 0.1763 * 2, 0.002);
 }
 
+// Vertices on the edges between flat and round faces lie on the flat ones, wherever these are between lattice planes.
+TEST(Contour, KeepsFlatFacesFlatBesideRoundOnes) {
+  const Expression part = s::subtract(s::box(10, 8, 6), s::move(s::sphere(3), 1, 2, 3));
+  int flat = 0;
+  constexpr int placements = 20;
+  for (int i = 0; i < placements; ++i) {
+    const Vec3 place = i * Vec3(0.037, 0.053, 0.029);
+    const FieldPtr solid = frep::make_field(s::move(part, place.x(), place.y(), place.z()));
+    const Box bounds = contour(*solid, {{-6, -5, -4}, {7, 6, 5}}, {0.5}).bounds();
+    const double off = std::max((bounds.lower - place + Vec3(5, 4, 3)).cwiseAbs().maxCoeff(),
+                                (bounds.upper - place - Vec3(5, 4, 3)).cwiseAbs().maxCoeff());
+    EXPECT_LT(off, 0.01) << i;  // 0.02 cells
+    flat += off < 2e-6;         // some floats
+  }
+  EXPECT_GE(flat, 0.8 * placements);
+}
+
 TEST(Contour, IsValidForFieldsThatAreNone) {
   // Noise, the tip of a double cone, discontinuities, creases, NaN: validity does not depend on the
   // Field.

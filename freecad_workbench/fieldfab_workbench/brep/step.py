@@ -104,7 +104,8 @@ class StepText:
 
     def solids(self, topology, surfaces, points_of, shells):
         """Writes a solid for each of `shells`: lists of shells, each a list of regions; the first shell bounds the
-        solid, the others are cavities. Returns their names."""
+        solid, the others are cavities. Returns their names. Raises ValueError for a face without edges, except of a
+        whole sphere or torus."""
         vertices = [self.add(f"VERTEX_POINT('',{self.point(place)})") for place in topology.vertices]
         edges = [self.add(f"EDGE_CURVE('',{vertices[e.start]},{vertices[e.end]},{self.curve(e.curve)},.T.)")
                  for e in topology.edges]
@@ -128,7 +129,9 @@ class StepText:
         for loop in loops:
             used = [self.add(f"ORIENTED_EDGE('',*,*,{edges[e]},.{'T' if forward else 'F'}.)") for e, forward in loop]
             bounds.append(self.add(f"EDGE_LOOP('',{_list(used)})"))
-        if not loops:  # a whole sphere or torus
+        if not loops:
+            if surface.NAME not in ("Sphere", "Torus"):
+                raise ValueError(f"a face without edges on a {surface.NAME}")
             ring = perpendicular(surface.axis)[0] * surface.sizes[0] if surface.NAME == "Torus" else 0
             start = self.point(surface.origin + ring + surface.axis * surface.sizes[-1])
             vertex = self.add(f"VERTEX_POINT('',{start})")

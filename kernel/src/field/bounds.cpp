@@ -84,11 +84,12 @@ std::optional<double> find_reach(const FieldPtr& field, const Box& within, int a
         continue;
       }
     }
-    // Sides along which the values change less may be longer: along an edge, the box stays as long as that.
-    const Vec3 slope = next.field->gradient(next.box.centre()).cwiseAbs();
+    // Sides along which the values change less may be longer: along an edge, the box stays as long as that. Sides are
+    // counted in those of the whole box, and a little by themselves: the slope may be another one elsewhere.
+    const Vec3 whole = within.size(), slope = next.field->gradient(next.box.centre()).cwiseAbs().cwiseProduct(whole);
     const Vec3 weight =
         slope.allFinite() ? Vec3(slope / std::max(slope.maxCoeff(), 1e-30) + Vec3::Constant(0.05)) : Vec3(Vec3::Ones());
-    const Vec3 length = (size.array() > least.array()).select(size.cwiseProduct(weight), 0);
+    const Vec3 length = (size.array() > least.array()).select(size.cwiseQuotient(whole).cwiseProduct(weight), 0);
     int side = 0;
     if (length.maxCoeff(&side) == 0) return next.reach;  // nothing shows that it is empty
     std::array halves{outer, inner};
@@ -170,8 +171,7 @@ class BoundsSearch {
   /// Searches for both ends along an axis, to 1/512 of the box's size; axes that are `whole` are not divided.
   void search(int axis, const Axes& whole) {
     progress_.report(0, "finding the bounds");
-    const Vec3 least = found_.box.size() / 512;
-    const Effort effort{whole.select(std::numeric_limits<double>::infinity(), least.cwiseMax(least[axis]).array()),
+    const Effort effort{whole.select(std::numeric_limits<double>::infinity(), found_.box.size().array() / 512),
                         40'000'000};
     const auto extent = find_extent(field_, found_.box, axis, effort, progress_);
     found_.empty = !extent;
