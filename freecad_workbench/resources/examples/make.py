@@ -68,9 +68,9 @@ def lattice(document):
     from fieldfab_workbench.objects.frep_solid import FrepSolid
     from fieldfab_workbench.objects.modify import Modify
 
-    knob = _solid(document, FrepSolid, "Knob", 1.4, Expression=KNOB, MaxError=0.2)
-    filled = _solid(document, Modify, "Filled knob", 1.05, Operation="Lattice infill", Source=knob, Wall=1.6, Period=12,
-                    Strut=1.6, MaxError=0.2)
+    knob = _solid(document, FrepSolid, "Knob", 1.4, Expression=KNOB, MaxError=0.15)
+    filled = _solid(document, Modify, "Filled knob", 1.15, Operation="Lattice infill", Source=knob, Wall=1.6, Period=12,
+                    Strut=1.6, MaxError=0.18)
     knob.ViewObject.Visibility = False
     filled.ViewObject.Transparency = 55
 
