@@ -46,11 +46,12 @@ Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double ga
   std::stable_sort(flat.begin(), flat.end(),
                    [](const Solid& a, const Solid& b) { return a.bounds->size().y() > b.bounds->size().y(); });
   FieldPtr all;
-  double x = 0, y = 0, row = 0;
+  const double edge = gap / 2;  // from the sheet's edges, since cuts run beside the parts
+  double x = edge, y = edge, row = 0;
   for (const Solid& part : flat) {
     const Vec3 size = part.bounds->size();
-    if (x > 0 && x + size.x() > sheet.x()) x = 0, y += row + gap, row = 0;
-    if (x + size.x() > sheet.x() || y + size.y() > sheet.y())
+    if (x > edge && x + size.x() + edge > sheet.x()) x = edge, y += row + gap, row = 0;
+    if (x + size.x() + edge > sheet.x() || y + size.y() + edge > sheet.y())
       throw Error(
           ErrorKind::bad_input, "sheet",
           fmt::format("{} parts do not fit on a sheet of {:.4g} x {:.4g} mm", parts.size(), sheet.x(), sheet.y()));

@@ -38,7 +38,7 @@ def examples(installed):
 
 
 def test_a_formula_becomes_a_mesh(examples, tmp_path):
-    said = run(examples / "formula_to_mesh", "sphere(r = 5)", tmp_path / "ball.stl")
+    said = run(examples / "formula_to_mesh", "sphere(r = 7) & box(10, 10, 10)", tmp_path / "ball.stl")
     triangles = int(said.split()[0])
     assert "10.00 x 10.00 x 10.00 mm" in said and (tmp_path / "ball.stl").stat().st_size == 84 + 50 * triangles
 
