@@ -151,7 +151,8 @@ def page(browser, server):
     # "inline style": from Chromium, when typing replaces coloured text in an editable element; the policy blocks it.
     known = ("ERR_CONNECTION_REFUSED", "400 (Bad Request)", "413", "422", "409", "WebSocket connection",
              "Failed to fetch", "Applying inline style")
-    assert [each for each in errors if not any(word in each for word in known)] == []
+    unknown = [each for each in errors if not any(word in each for word in known)]
+    assert not unknown, unknown
 
 
 def sheet(*nodes, **more):

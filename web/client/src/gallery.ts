@@ -95,7 +95,7 @@ export class Gallery {
   private async draw(card: HTMLElement): Promise<void> {
     const { address, name } = card.dataset, holder = card.querySelector(".thumb")!;
     try {
-      if (!this.dialog.open) return;
+      if (!this.dialog.open || !card.isConnected) return;
       const model = await modelOf(address!, name!);
       if (!model.trim()) return;
       const language = languageOf(name!) === "json" ? "frep" : languageOf(name!);
@@ -214,14 +214,19 @@ export class Gallery {
     await this.host.flush();
     const names = new Set((await listed()).documents.map((each) => each.name)), job = this.jobOf(name, names);
     const gone: { name: string; text: string }[] = [];
-    for (const each of job ? [name, job] : [name]) {
-      const { text, version } = await read(each);
-      await remove(each, version);
-      forgetDraft(each);
-      gone.push({ name: each, text });
+    // Its picture may still wait to be drawn, which would ask for a document that is no more.
+    by("documents").querySelector(`.entry[data-name="${CSS.escape(name)}"]`)?.remove();
+    try {
+      for (const each of job ? [name, job] : [name]) {
+        const { text, version } = await read(each);
+        await remove(each, version);
+        forgetDraft(each);
+        gone.push({ name: each, text });
+      }
+      if (this.host.name === name) await this.host.close();
+    } finally {
+      await this.list();
     }
-    if (this.host.name === name) await this.host.close();
-    await this.list();
     this.tell(`“${name}” is deleted${job ? ", and its job" : ""}.`, "Undo", () => void this.run(async () => {
       for (const each of gone) await writeNew(each.name, each.text);
       await this.list();
