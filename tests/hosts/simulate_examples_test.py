@@ -26,7 +26,7 @@ class Example:
         self.job_text = re.sub(r'model = "([^"]+)"', lambda m: f'model = "{(EXAMPLES / m[1]).resolve()}"',
                                (EXAMPLES / f"{name}.toml").read_text())
         if name == "text_vcarve":
-            # Of a V's sharp tip the simulation's cells show 0.01 to 0.04 mm too much, by where they lie.
+            # The program gouges by up to 0.05 mm, which these cells show or miss by where they lie.
             self.job_text = self.job_text.replace("margin = 5", "margin = 4.9")
         self.job = self.job_with()
         path = folder / ("program.rml" if "modela" in name else "program.ngc")

@@ -155,7 +155,7 @@ TEST(Certain, PointsEdgesAndTouchingBallsAreThereOrAreTold) {
 }
 
 /// A cubic lattice of n^3 nodes with square bars between neighbours has a handle for each bar more than a tree needs.
-/// The mesh of a box about zero.
+/// The mesh of a box about a centre.
 TriangleMesh box_mesh(const Vec3& size, const Eigen::Matrix3d& turn, const Vec3& centre) {
   TriangleMesh mesh;
   for (int corner = 0; corner < 8; ++corner) {
