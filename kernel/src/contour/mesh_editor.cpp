@@ -201,7 +201,6 @@ void MeshEditor::finish() {
 
 bool MeshEditor::replace(Region& region, std::span<const std::uint32_t> old, std::span<const Triangle> fresh,
                          Displaced displaced, std::vector<std::uint32_t>& changed) {
-  list_near(region, old, fresh);
   for (const Triangle& triangle : fresh)
     if (!fits(region, triangle, old)) return false;
   for (std::size_t i = 0; i < fresh.size(); ++i)
@@ -253,31 +252,21 @@ void MeshEditor::strike(std::uint32_t triangle) {
     if (fan_of_[vertex] != no_fan) std::erase(fans_[fan_of_[vertex]], triangle);
 }
 
-/// Lists the triangles that stay and whose boxes meet that of the fresh ones.
-void MeshEditor::list_near(Region& region, std::span<const std::uint32_t> old, std::span<const Triangle> fresh) const {
-  FloatBox around;
-  for (const Triangle& triangle : fresh)
-    for (const std::uint32_t vertex : triangle) around.add(mesh_.vertices[vertex]);
-  std::vector<Listed>& near = region.near;
-  near.clear();
-  const auto is_near = [&](std::uint32_t t) {
-    return std::any_of(near.begin(), near.end(), [&](const Listed& listed) { return listed.triangle == t; });
-  };
-  for_cells(around, [&](std::uint32_t cell) {
-    if (cell == CellSet::none) return true;
-    for (const Listed& listed : triangles_in_[cell])
-      if (around.meets(listed.box) && std::find(old.begin(), old.end(), listed.triangle) == old.end() &&
-          !is_near(listed.triangle))
-        near.push_back(listed);
-    return true;
-  });
-}
-
-bool MeshEditor::fits(const Region& region, const Triangle& triangle, std::span<const std::uint32_t> old) const {
+bool MeshEditor::fits(Region& region, const Triangle& triangle, std::span<const std::uint32_t> old) const {
   if (is_degenerate(mesh_.vertices, triangle)) return false;
   const FloatBox box = box_of(mesh_, triangle);
   if (!contains(region, box, cell_)) return false;
-  if (!for_cells(box, [&](std::uint32_t cell) { return cell != CellSet::none; })) return false;
+  std::vector<std::uint32_t>& near = region.near;
+  near.clear();
+  const bool all_open = for_cells(box, [&](std::uint32_t cell) {
+    if (cell == CellSet::none) return false;
+    for (const auto& [its, t] : triangles_in_[cell])
+      if (box.meets(its) && std::find(near.begin(), near.end(), t) == near.end() &&
+          std::find(old.begin(), old.end(), t) == old.end())
+        near.push_back(t);
+    return true;
+  });
+  if (!all_open) return false;
   // An edge shared with a triangle that stays must be on the patch's rim: that triangle on one
   // side, the patch on the other.
   const auto shares_inner_edge = [&](const Triangle& other) {
@@ -289,9 +278,8 @@ bool MeshEditor::fits(const Region& region, const Triangle& triangle, std::span<
              return has(mesh_.triangles[t], common[0]) && has(mesh_.triangles[t], common[1]);
            });
   };
-  return std::none_of(region.near.begin(), region.near.end(), [&](const Listed& listed) {
-    if (!box.meets(listed.box)) return false;
-    const Triangle& other = mesh_.triangles[listed.triangle];
+  return std::none_of(near.begin(), near.end(), [&](std::uint32_t t) {
+    const Triangle& other = mesh_.triangles[t];
     return shares_inner_edge(other) || triangles_overlap(mesh_.vertices, triangle, other);
   });
 }

@@ -50,17 +50,12 @@ struct FloatBox {
 /// writes triangles of its region, and reads those that cross its border, which no change may touch.
 class MeshEditor {
  public:
-  /// A triangle in a cell, and its bounds: searches leave most triangles of a cell at these.
-  struct Listed {
-    FloatBox box;
-    std::uint32_t triangle;
-  };
   /// A block of cells. A change replaces triangles that lie in it by others that lie in it.
   struct Region {
     Cell lower, upper;  ///< the first cell, and the cell after the last one, along each axis
     /// Numbers for vertices and triangles that changes add.
     std::vector<std::uint32_t> spare_vertices, spare_triangles;
-    std::vector<Listed> near;  ///< working memory of replace(): what the fresh triangles may meet
+    std::vector<std::uint32_t> near;  ///< working memory
   };
 
   /// `seeds` are the triangles that may change, together with their neighbours. They may grow by
@@ -115,8 +110,12 @@ class MeshEditor {
   void open_cells(const IsOpen& is_open, float reach);
   template <class IsOpen>
   void list_triangles(const IsOpen& is_open);
-  void list_near(Region& region, std::span<const std::uint32_t> old, std::span<const Triangle> fresh) const;
-  [[nodiscard]] bool fits(const Region& region, const Triangle& triangle, std::span<const std::uint32_t> old) const;
+  [[nodiscard]] bool fits(Region& region, const Triangle& triangle, std::span<const std::uint32_t> old) const;
+  /// A triangle in a cell, and its bounds: searches leave most triangles of a cell at these.
+  struct Listed {
+    FloatBox box;
+    std::uint32_t triangle;
+  };
   void enlist(std::uint32_t triangle);
   void strike(std::uint32_t triangle);
 

@@ -85,7 +85,7 @@ PlacedVertex place_vertex(std::span<const SurfacePoint> points, const Box& cell)
   }
   if (best.directions > 0 && best.error > 1e-6 * cell.size().x()) {
     vertex = on_shared_planes(best.position, points, cell.size().x());
-    if (cell.contains(vertex)) best.position = vertex;
+    if (cell.contains(vertex)) best.position = vertex, best.error = farthest_plane(points, vertex);
   }
   return best;
 }

@@ -15,6 +15,9 @@ namespace {
 
 constexpr double far_away = 1e6;  // mm; a solid that reaches this far counts as unbounded
 
+// Operations that a search for one end along one axis may take.
+constexpr std::size_t work_for_bounds = 40'000'000, work_for_tight_bounds = 4'000'000;
+
 /// A box that may contain some of the solid. A search examines next what reaches farthest.
 struct Suspect {
   double reach;  // coordinate of the box's end in the direction searched
@@ -29,11 +32,24 @@ struct Suspect {
 /// When a search for a face of the bounds ends.
 struct Effort {
   Vec3 least;        ///< mm; sides of boxes that are divided no further
-  std::size_t work;  ///< operations; boxes undecided after so many stay inside the bounds
+  std::size_t work;  ///< operations; boxes that are undecided after so many stay inside the bounds
 };
 
 /// NaN is outside, as 0 is.
 bool holds_nothing(const Interval& range) { return range.lower >= 0; }
+
+/// Returns the side of `box` to halve next, or nullopt if all are as short as `least`. Sides along which the values
+/// change less may be longer: along an edge, the box stays as long as that. Sides are counted in those of the whole
+/// box, and a little by themselves: the slope may be another one elsewhere.
+std::optional<int> side_to_halve(const Field& field, const Box& box, const Vec3& whole, const Vec3& least) {
+  const Vec3 size = box.size(), slope = field.gradient(box.centre()).cwiseAbs().cwiseProduct(whole);
+  const Vec3 weight =
+      slope.allFinite() ? Vec3(slope / std::max(slope.maxCoeff(), 1e-30) + Vec3::Constant(0.05)) : Vec3(Vec3::Ones());
+  const Vec3 length = (size.array() > least.array()).select(size.cwiseQuotient(whole).cwiseProduct(weight), 0);
+  int side = 0;
+  if (length.maxCoeff(&side) == 0) return std::nullopt;
+  return side;
+}
 
 /// Finds how far the solid reaches in `within` along sign * axis: no less than it does, and as little more as intervals
 /// show. Returns nullopt if the solid is empty in `within`.
@@ -84,18 +100,12 @@ std::optional<double> find_reach(const FieldPtr& field, const Box& within, int a
         continue;
       }
     }
-    // Sides along which the values change less may be longer: along an edge, the box stays as long as that. Sides are
-    // counted in those of the whole box, and a little by themselves: the slope may be another one elsewhere.
-    const Vec3 whole = within.size(), slope = next.field->gradient(next.box.centre()).cwiseAbs().cwiseProduct(whole);
-    const Vec3 weight =
-        slope.allFinite() ? Vec3(slope / std::max(slope.maxCoeff(), 1e-30) + Vec3::Constant(0.05)) : Vec3(Vec3::Ones());
-    const Vec3 length = (size.array() > least.array()).select(size.cwiseQuotient(whole).cwiseProduct(weight), 0);
-    int side = 0;
-    if (length.maxCoeff(&side) == 0) return next.reach;  // nothing shows that it is empty
+    const auto side = side_to_halve(*next.field, next.box, within.size(), least);
+    if (!side) return next.reach;  // nothing shows that it is empty
     std::array halves{outer, inner};
-    if (side != axis) {
+    if (*side != axis) {
       halves = {next.box, next.box};
-      halves[0].upper[side] = halves[1].lower[side] = next.box.centre()[side];
+      halves[0].upper[*side] = halves[1].lower[*side] = next.box.centre()[*side];
     }
     push(next.depth + 1, halves, *next.field);
   }
@@ -172,7 +182,7 @@ class BoundsSearch {
   void search(int axis, const Axes& whole) {
     progress_.report(0, "finding the bounds");
     const Effort effort{whole.select(std::numeric_limits<double>::infinity(), found_.box.size().array() / 512),
-                        40'000'000};
+                        work_for_bounds};
     const auto extent = find_extent(field_, found_.box, axis, effort, progress_);
     found_.empty = !extent;
     if (!extent) return;
@@ -212,7 +222,7 @@ Box tight_bounds(const Field& field, const Box& bounds, Progress& progress) {
   Box box = bounds;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(box.size()[axis] > 0)) continue;
-    const Effort effort{Vec3::Constant(finest * box.size().maxCoeff()), 4'000'000};
+    const Effort effort{Vec3::Constant(finest * box.size().maxCoeff()), work_for_tight_bounds};
     if (const auto extent = find_extent(field, box, axis, effort, progress))
       box.lower[axis] = (*extent)[0], box.upper[axis] = (*extent)[1];
   }
