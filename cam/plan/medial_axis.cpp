@@ -104,31 +104,39 @@ class MedialAxis {
     return std::max({angle(a), angle(b), angle(0.5 * (a + b))}) > least;
   }
 
-  /// Adds the points of an edge, which may be a parabola.
+  /// Adds the points of an edge, so close that the edge and its radius are straight between them, within the tolerance:
+  /// halfway from a point to a line the edge is a parabola, and halfway between two points the radius is a hyperbola.
   void append(const Diagram::edge_type& edge, Branch& branch) const {
     const Vec2 a = place(*edge.vertex0()), b = place(*edge.vertex1());
     const auto add = [&](const Vec2& p) {
       if (branch.empty() || (branch.back().at - p).norm() > 1e-7) branch.push_back({p, std::max(0.0, depth(p))});
     };
+    // Both curves bend most at their vertices, by 1 / height.
+    const auto steps_of = [&](double length, double height) {
+      return std::clamp(static_cast<int>(std::ceil(length / std::sqrt(8 * tolerance_ * std::max(height, tolerance_)))),
+                        1, 1000);
+    };
     add(a);
+    const bool point_here = edge.cell()->contains_point();
+    const Diagram::cell_type &point_cell = point_here ? *edge.cell() : *edge.twin()->cell(),
+                             &other_cell = point_here ? *edge.twin()->cell() : *edge.cell();
+    const Vec2 focus = foot(point_cell, a);
     if (edge.is_curved()) {
-      const bool point_here = edge.cell()->contains_point();
-      const Diagram::cell_type &point_cell = point_here ? *edge.cell() : *edge.twin()->cell(),
-                               &line_cell = point_here ? *edge.twin()->cell() : *edge.cell();
-      const Vec2 focus = foot(point_cell, a), start = place(segments_[line_cell.source_index()].low());
-      const Vec2 along = (place(segments_[line_cell.source_index()].high()) - start).normalized();
+      const Vec2 start = place(segments_[other_cell.source_index()].low());
+      const Vec2 along = (place(segments_[other_cell.source_index()].high()) - start).normalized();
       Vec2 across(-along.y(), along.x());
       double height = (focus - start).dot(across);
       if (height < 0) height = -height, across = -across;
       const double x0 = (focus - start).dot(along), from = (a - start).dot(along), to = (b - start).dot(along);
-      const int steps = std::clamp(
-          static_cast<int>(std::ceil(std::abs(to - from) / std::sqrt(8 * tolerance_ * std::max(height, tolerance_)))),
-          1, 1000);
+      const int steps = steps_of(std::abs(to - from), height);
       if (height > 1e-9)
         for (int i = 1; i < steps; ++i) {
           const double x = from + (to - from) * i / steps;
           add(start + x * along + ((x - x0) * (x - x0) + height * height) / (2 * height) * across);
         }
+    } else if (point_here && other_cell.contains_point()) {
+      const int steps = steps_of((b - a).norm(), 0.5 * (focus - foot(other_cell, a)).norm());
+      for (int i = 1; i < steps; ++i) add(a + (b - a) * i / steps);
     }
     add(b);
   }

@@ -277,20 +277,28 @@ double carved(const std::vector<Path>& paths, const Vec2& q, double slope) {
   return lowest;
 }
 
+void expect_flanks_end_at(const Loops& outline, double half_angle, double tolerance) {
+  const FieldPtr distance = outline_field(outline);
+  const auto paths = v_carve(outline, half_angle, 0.2, cut_of(0, 50));
+  ASSERT_FALSE(paths.empty());
+  const double slope = 1 / std::tan(half_angle);
+  Rectangle bounds = Rectangle::nothing();
+  for (const Vec2& p : outline[0].points) bounds.add(p);
+  for (double x = bounds.lower.x() - 0.5; x < bounds.upper.x() + 0.5; x += 0.43)
+    for (double y = bounds.lower.y() - 0.5; y < bounds.upper.y() + 0.5; y += 0.47) {
+      const double inside = -static_cast<double>(distance->value({x, y, 0}));
+      EXPECT_NEAR(carved(paths, {x, y}, slope), -slope * std::max(0.0, inside), tolerance) << x << " " << y;
+    }
+}
+
 TEST(VCarve, FlanksEndAtTheOutline) {
-  const Loops letter{{{{0, 0}, {12, 0}, {12, 3}, {3, 3}, {3, 12}, {0, 12}}}};  // an L
-  const FieldPtr distance = outline_field(letter);
-  for (const double half : {pi / 4, pi / 6}) {
-    CutSettings cut = cut_of(0, 50);
-    const auto paths = v_carve(letter, half, 0.2, cut);
-    ASSERT_FALSE(paths.empty());
-    const double slope = 1 / std::tan(half);
-    for (double x = -0.5; x < 12.5; x += 0.43)
-      for (double y = -0.5; y < 12.5; y += 0.47) {
-        const double inside = -static_cast<double>(distance->value({x, y, 0}));
-        EXPECT_NEAR(carved(paths, {x, y}, slope), -slope * std::max(0.0, inside), 0.05) << x << " " << y;
-      }
-  }
+  for (const double half : {pi / 4, pi / 6})
+    expect_flanks_end_at({{{{0, 0}, {12, 0}, {12, 3}, {3, 3}, {3, 12}, {0, 12}}}}, half, 0.05);  // an L
+}
+
+TEST(VCarve, BetweenTwoCornersTheVRises) {
+  // Between the corners of a waist the radius is a hyperbola, although the axis is straight.
+  expect_flanks_end_at({{{{-6, -5}, {0, -1}, {6, -5}, {6, 5}, {0, 1}, {-6, 5}}}}, pi / 4, 0.05);
 }
 
 TEST(VCarve, WidePlacesGetAFlatFloor) {
