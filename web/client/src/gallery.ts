@@ -186,18 +186,30 @@ export class Gallery {
     const pairs = [[name, to], ...(job ? [[job, `${stemOf(to)}.job`]] : [])];
     for (const [, each] of pairs)
       if (names.has(each)) throw new Error(`There is a document “${each}” already`);
-    const wasOpen = this.host.name === name;
-    for (const [from, each] of pairs) {
-      const { text, version } = await read(from);
-      await writeNew(each, text);
-      await remove(from, version);
-      moveDraft(from, each);
-      await moveHistory(from, each);
-    }
-    if (wasOpen) {
+    await this.takingAway(name, async () => {
+      const wasOpen = this.host.name === name;
+      for (const [from, each] of pairs) {
+        const { text, version } = await read(from);
+        await writeNew(each, text);
+        await remove(from, version);
+        moveDraft(from, each);
+        await moveHistory(from, each);
+      }
+      if (!wasOpen) return;
       await this.host.close();
       await this.host.open(to);
-    } else await this.list();
+    });
+  }
+
+  /** Does what takes a document away, and lists again. Its card goes first: its picture may still wait to be drawn,
+   *  which would ask for a document that is no more. */
+  private async takingAway(name: string, act: () => Promise<void>): Promise<void> {
+    by("documents").querySelector(`.entry[data-name="${CSS.escape(name)}"]`)?.remove();
+    try {
+      await act();
+    } finally {
+      await this.list();
+    }
   }
 
   private async duplicate(name: string): Promise<void> {
@@ -214,9 +226,7 @@ export class Gallery {
     await this.host.flush();
     const names = new Set((await listed()).documents.map((each) => each.name)), job = this.jobOf(name, names);
     const gone: { name: string; text: string }[] = [];
-    // Its picture may still wait to be drawn, which would ask for a document that is no more.
-    by("documents").querySelector(`.entry[data-name="${CSS.escape(name)}"]`)?.remove();
-    try {
+    await this.takingAway(name, async () => {
       for (const each of job ? [name, job] : [name]) {
         const { text, version } = await read(each);
         await remove(each, version);
@@ -224,9 +234,7 @@ export class Gallery {
         gone.push({ name: each, text });
       }
       if (this.host.name === name) await this.host.close();
-    } finally {
-      await this.list();
-    }
+    });
     this.tell(`“${name}” is deleted${job ? ", and its job" : ""}.`, "Undo", () => void this.run(async () => {
       for (const each of gone) await writeNew(each.name, each.text);
       await this.list();
