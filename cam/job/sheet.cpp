@@ -54,7 +54,9 @@ Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double ga
     if (x + size.x() + edge > sheet.x() || y + size.y() + edge > sheet.y())
       throw Error(
           ErrorKind::bad_input, "sheet",
-          fmt::format("{} parts do not fit on a sheet of {:.4g} x {:.4g} mm", parts.size(), sheet.x(), sheet.y()));
+          fmt::format(
+              "{} parts do not fit on a sheet of {:.4g} x {:.4g} mm, {:.4g} mm apart and {:.4g} mm from its edges",
+              parts.size(), sheet.x(), sheet.y(), gap, edge));
     // Clipped to its own bounds, because a formula may define other solids elsewhere.
     const FieldPtr placed = translate(
         intersect(part.field, box_field({{-1e-3, -1e-3, -1}, {size.x() + 1e-3, size.y() + 1e-3, 1}})), {x, y, 0});

@@ -9107,8 +9107,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{0} o{1} ohne zugehörigen Anfang</translation>
     </message>
     <message>
-        <source>{0} parts do not fit on a sheet of {1} x {2} mm</source>
-        <translation>{0} Teile passen nicht auf eine Platte von {1} x {2} mm</translation>
+        <source>{0} parts do not fit on a sheet of {1} x {2} mm, {3} mm apart and {4} mm from its edges</source>
+        <translation>{0} Teile passen mit {3} mm Abstand voneinander und {4} mm vom Rand nicht auf eine Platte von {1} x {2} mm</translation>
     </message>
     <message>
         <source>{0} pixels; from 1 to 16384 are possible</source>
