@@ -20,7 +20,7 @@ SEEDS = ("mha", "mha, compressed", "mhd", "nrrd", "nrrd, gzip", "nhdr", "nifti",
 LOOP = """
 import pathlib, random, resource, sys, time
 import fieldfab as ff
-resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # OpenVDB takes memory for what a file only says
+resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))  # OpenVDB and GDCM take memory for what a file only says
 path, opened, seed, count = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], int(sys.argv[4])
 end = time.monotonic() + float(sys.argv[5])
 whole = path.read_bytes()
