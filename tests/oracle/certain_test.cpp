@@ -154,7 +154,6 @@ TEST(Certain, PointsEdgesAndTouchingBallsAreThereOrAreTold) {
   }
 }
 
-/// A cubic lattice of n^3 nodes with square bars between neighbours has a handle for each bar more than a tree needs.
 /// The mesh of a box about a centre.
 TriangleMesh box_mesh(const Vec3& size, const Eigen::Matrix3d& turn, const Vec3& centre) {
   TriangleMesh mesh;
@@ -203,6 +202,7 @@ TEST(Certain, MeshesOfContoursLoseNoThinParts) {
   }
 }
 
+/// A cubic lattice of n^3 nodes with square bars between neighbours has a handle for each bar more than a tree needs.
 TEST(Certain, LatticesHaveAllTheirHandles) {
   for (const int n : {2, 3, 4})
     for (const double bar : {1.2, 0.5, 0.2}) {
