@@ -36,6 +36,13 @@ NOT_RUN = {
     "./dev test": "runs this very test",
     "./dev demo": "takes minutes",
     "./dev build": "takes minutes",
+    "./dev test --full": "runs this very test",
+    "./dev release": "builds packages; release_test.py tries its checks",
+    "/usr/bin/python3 packaging/release.py --set 0.2.0": "writes into the tree; release_test.py does it in another one",
+    "/usr/bin/python3 packaging/release.py --date 2026-12-24":
+        "writes into the tree; release_test.py does it in another one",
+    "git commit -a": "writes into the repository",
+    "git tag -a v0.2.0 -F out/release/tag.txt": "writes into the repository; release_test.py does it in another one",
     "./dev package": "takes minutes; ./dev newcomer tries what it makes",
     "./dev newcomer": "takes minutes, and a Debian of its own",
     "./dev newcomer trixie": "takes minutes, and a Debian of its own",
