@@ -303,6 +303,7 @@ def release(package_command):
     if not checked(package_command):
         return 1
     text = tag_text(sections(read(CHANGELOG))[0])
+    (ROOT / TAG_TEXT).parent.mkdir(parents=True, exist_ok=True)
     (ROOT / TAG_TEXT).write_text(text, encoding="utf-8")
     print(f"git tag -a v{version()} -F {TAG_TEXT}")
     return 0

@@ -24,7 +24,7 @@ CHANGELOG = f"""# Changelog
 ### Meshes
 
 - Meshes of plates, as [docs/meshes.md](docs/meshes.md) and [a paper](https://example.org/paper) describe, with
-  `width = 20  # 5 to 40` in *one* line.
+  numbers as `width = 20  # 5 to 40` in *one* line.
 - `a * b` is a product, `c * d` too.
 
 ### CAM
@@ -43,8 +43,8 @@ Meshes
 ------
 
 - Meshes of plates, as docs/meshes.md and a paper
-  (https://example.org/paper) describe, with `width = 20  # 5 to 40` in
-  one line.
+  (https://example.org/paper) describe, with numbers as
+  `width = 20  # 5 to 40` in one line.
 - `a * b` is a product, `c * d` too.
 
 CAM
@@ -63,6 +63,7 @@ def run(*words, folder, code=0):
     done = subprocess.run([str(word) for word in words], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True,
                           stdin=subprocess.DEVNULL)
     assert done.returncode == code, f"{words}: {done.returncode}\n{done.stdout}{done.stderr}"
+    assert "Traceback" not in done.stderr
     return done.stdout
 
 
