@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/core/text.h"
 #include "streams.h"
 #include "verbs.h"
@@ -8,11 +9,8 @@
 namespace fieldfab::cli {
 
 std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  if (extension == ".gz") extension = path.stem().extension().string() + extension;
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  const std::string extension = lower_extension(path);
+  return extension == ".gz" ? lower_extension(path.stem()) + extension : extension;
 }
 
 void print_notes(const std::vector<std::string>& notes) {

@@ -3,6 +3,7 @@
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
+#include <pybind11/operators.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -31,6 +32,12 @@ void bind_cam(py::module_& parent);
 void bind_workflow(py::module_& module);
 void bind_stock(py::module_& parent);
 void bind_playback(py::module_& module);
+
+/// An array of numbers in C order; NumPy converts others to it.
+template <class Number>
+using Array = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+
+inline Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 /// A Progress that calls a Python callable (or none) and checks for Ctrl-C. The callable receives
 /// (fraction, message) and returns False to cancel. Construct it with the interpreter lock held;

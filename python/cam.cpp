@@ -9,10 +9,8 @@
 namespace fieldfab::python {
 namespace {
 
-using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-Rows rows_of(const cam::Loop& loop) {
-  Rows rows({static_cast<py::ssize_t>(loop.points.size()), py::ssize_t{2}});
+Array<double> rows_of(const cam::Loop& loop) {
+  Array<double> rows({static_cast<py::ssize_t>(loop.points.size()), py::ssize_t{2}});
   auto out = rows.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i)
     for (py::ssize_t k = 0; k < 2; ++k) out(i, k) = loop.points[static_cast<std::size_t>(i)][k];
@@ -25,9 +23,9 @@ py::list lists_of(const cam::Loops& loops) {
   return out;
 }
 
-cam::Loops loops_of(const std::vector<Rows>& given) {
+cam::Loops loops_of(const std::vector<Array<double>>& given) {
   cam::Loops loops;
-  for (const Rows& rows : given) {
+  for (const Array<double>& rows : given) {
     if (rows.ndim() != 2 || rows.shape(1) != 2 || rows.shape(0) < 3)
       throw Error(ErrorKind::bad_input, "loops", "a loop is an (n, 2) array of at least three points");
     cam::Loop loop;
@@ -38,9 +36,9 @@ cam::Loops loops_of(const std::vector<Rows>& given) {
   return loops;
 }
 
-/// Rows of x, y, z, feed, bulge and the tool's axis, one per move.
-Rows rows_of(const std::vector<cam::Move>& moves) {
-  Rows rows({static_cast<py::ssize_t>(moves.size()), py::ssize_t{8}});
+/// Array<double> of x, y, z, feed, bulge and the tool's axis, one per move.
+Array<double> rows_of(const std::vector<cam::Move>& moves) {
+  Array<double> rows({static_cast<py::ssize_t>(moves.size()), py::ssize_t{8}});
   auto out = rows.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     const cam::Move& m = moves[static_cast<std::size_t>(i)];
@@ -175,7 +173,7 @@ void bind_cam(py::module_& parent) {
       "Closed curves where the solid is cut by a plane: (n, 2) arrays, the solid on their left.");
   module.def(
       "offset",
-      [](const std::vector<Rows>& loops, double distance, double cell) {
+      [](const std::vector<Array<double>>& loops, double distance, double cell) {
         return lists_of(cam::offset(loops_of(loops), distance, cell));
       },
       py::arg("loops"), py::arg("distance"), py::arg("cell") = 0.1, "The loops moved outward by a distance, mm.");

@@ -7,8 +7,6 @@
 namespace fieldfab::python {
 namespace {
 
-Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-
 Solid sampled_solid(const std::shared_ptr<const Asdf>& asdf) {
   auto opened = std::make_shared<OpenedSolid>();
   opened->field = asdf;

@@ -26,10 +26,7 @@ py::array_t<Number> view(Number* data, std::vector<py::ssize_t> shape, const py:
   return array;
 }
 
-template <class Number>
-using Rows = py::array_t<Number, py::array::c_style | py::array::forcecast>;
-
-TriangleMesh mesh_of(const Rows<float>& vertices, const Rows<std::uint32_t>& triangles) {
+TriangleMesh mesh_of(const Array<float>& vertices, const Array<std::uint32_t>& triangles) {
   const auto check_rows = [](const py::array& a, const char* name) {
     if (a.ndim() != 2 || a.shape(1) != 3) throw Error(ErrorKind::bad_input, name, "needs three numbers a row");
   };

@@ -1,6 +1,5 @@
 // Python's Solid: one class for shapes, files and formulas, and for numbers in formulas.
 #include <fmt/format.h>
-#include <pybind11/operators.h>
 
 #include <Eigen/Geometry>
 
@@ -19,14 +18,11 @@ namespace {
 using frep::Expression;
 using frep::Value;
 namespace shapes = frep::shapes;
-using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
-
-Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 /// (n, 3) points as three arrays.
 struct PointArrays {
   std::vector<float> x, y, z;
-  explicit PointArrays(const Floats& points) {
+  explicit PointArrays(const Array<float>& points) {
     if (points.ndim() != 2 || points.shape(1) != 3) throw py::value_error("points must be an array of shape (n, 3)");
     const auto p = points.unchecked<2>();
     for (py::ssize_t i = 0; i < points.shape(0); ++i) x.push_back(p(i, 0)), y.push_back(p(i, 1)), z.push_back(p(i, 2));
@@ -34,21 +30,21 @@ struct PointArrays {
   [[nodiscard]] Points get() const { return {x.data(), y.data(), z.data(), x.size()}; }
 };
 
-Floats values(const SolidValue& solid, const Floats& points) {
+Array<float> values(const SolidValue& solid, const Array<float>& points) {
   const FieldPtr field = solid.solid()->field;
   const PointArrays arrays(points);
-  Floats out(static_cast<py::ssize_t>(arrays.x.size()));
+  Array<float> out(static_cast<py::ssize_t>(arrays.x.size()));
   float* to = out.mutable_data();
   py::gil_scoped_release release;
   field->values(arrays.get(), to);
   return out;
 }
 
-Floats surface_distances_of(const SolidValue& solid, const Floats& points) {
+Array<float> surface_distances_of(const SolidValue& solid, const Array<float>& points) {
   const FieldPtr field = solid.solid()->field;
   if (points.ndim() != 2 || points.shape(1) != 3) throw py::value_error("points must be an (n, 3) array");
   const auto count = static_cast<std::size_t>(points.shape(0));
-  Floats out(points.shape(0));
+  Array<float> out(points.shape(0));
   const std::span places(reinterpret_cast<const std::array<float, 3>*>(points.data()), count);
   const std::span to(out.mutable_data(), count);
   py::gil_scoped_release release;
@@ -56,11 +52,11 @@ Floats surface_distances_of(const SolidValue& solid, const Floats& points) {
   return out;
 }
 
-py::tuple gradients(const SolidValue& solid, const Floats& points) {
+py::tuple gradients(const SolidValue& solid, const Array<float>& points) {
   const FieldPtr field = solid.solid()->field;
   const PointArrays arrays(points);
   const auto count = static_cast<py::ssize_t>(arrays.x.size());
-  Floats out(count), slopes({count, py::ssize_t{3}});
+  Array<float> out(count), slopes({count, py::ssize_t{3}});
   std::vector<float> dx(arrays.x.size()), dy(dx), dz(dx);
   {
     float* to = out.mutable_data();
@@ -80,8 +76,8 @@ py::object evaluate(const SolidValue& solid, const py::object& x, const py::obje
   const py::module_ numpy = py::module_::import("numpy");
   const py::sequence broadcast = numpy.attr("broadcast_arrays")(x, y, z);
   // contiguous and converted to float
-  const Floats xs(broadcast[0]), ys(broadcast[1]), zs(broadcast[2]);
-  Floats out(std::vector<py::ssize_t>(xs.shape(), xs.shape() + xs.ndim()));
+  const Array<float> xs(broadcast[0]), ys(broadcast[1]), zs(broadcast[2]);
+  Array<float> out(std::vector<py::ssize_t>(xs.shape(), xs.shape() + xs.ndim()));
   float* to = out.mutable_data();
   const FieldPtr field = solid.solid()->field;
   const Points points{xs.data(), ys.data(), zs.data(), static_cast<std::size_t>(xs.size())};

@@ -17,13 +17,11 @@
 namespace fieldfab::python {
 namespace {
 
-using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 /// Red, green and blue, as colours in Python.
 std::array<std::uint8_t, 3> channels_of(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
 /// Poses from rows of the tip's x, y and z, optionally followed by the tool's axis.
-std::vector<cam::ToolPose> poses_of(const Rows& rows) {
+std::vector<cam::ToolPose> poses_of(const Array<double>& rows) {
   if (rows.ndim() != 2 || (rows.shape(1) != 3 && rows.shape(1) != 6))
     throw Error(ErrorKind::bad_input, "poses", "an (n, 3) array of tips or an (n, 6) array of tips and axes is wanted");
   const auto in = rows.unchecked<2>();
@@ -82,7 +80,7 @@ void bind_block(py::module_& module) {
           "A checkpoint: it shares what does not change.")
       .def(
           "cut",
-          [](cam::Stock& stock, const py::dict& tool, const Rows& poses, const py::object& progress) {
+          [](cam::Stock& stock, const py::dict& tool, const Array<double>& poses, const py::object& progress) {
             const cam::ToolSolid solid = cam::tool_solid(tool_of(tool));
             const std::vector<cam::ToolPose> way = poses_of(poses);
             std::vector<cam::Stroke> strokes;

@@ -7,12 +7,9 @@
 namespace fieldfab::python {
 namespace {
 
-using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 using Triple = std::array<double, 3>;
 
 constexpr std::size_t memory = std::size_t{512} << 20;
-
-Vec3 vector_of(const Triple& v) { return {v[0], v[1], v[2]}; }
 
 /// A threshold in Python: None, a number, "otsu" or "90%".
 ThresholdRule rule_of(const py::object& threshold) {
@@ -30,7 +27,7 @@ ScanOptions options_of(const py::object& threshold, bool below, const std::strin
   return options;
 }
 
-VolumePtr from_array(const Floats& densities, const Triple& spacing, const Triple& origin) {
+VolumePtr from_array(const Array<float>& densities, const Triple& spacing, const Triple& origin) {
   if (densities.ndim() != 3) throw py::value_error("densities must be an array of shape (nz, ny, nx)");
   SampleLattice lattice;
   for (int axis = 0; axis < 3; ++axis)
@@ -40,9 +37,9 @@ VolumePtr from_array(const Floats& densities, const Triple& spacing, const Tripl
   return volume_of({densities.data(), densities.data() + densities.size()}, lattice);
 }
 
-Floats to_array(const Volume& volume) {
+Array<float> to_array(const Volume& volume) {
   const auto& n = volume.lattice().size;
-  Floats densities({n[2], n[1], n[0]});
+  Array<float> densities({n[2], n[1], n[0]});
   float* const to = densities.mutable_data();
   py::gil_scoped_release release;
   parallel_for(static_cast<std::size_t>(n[2]),
@@ -57,7 +54,7 @@ void bind_volumes(py::module_& module) {
   const auto triple = [](const Vec3& v) { return py::make_tuple(v.x(), v.y(), v.z()); };
   py::class_<Volume, std::shared_ptr<Volume>>(module, "Volume",
                                               "Densities on a lattice, such as a CT scan (Keeter, chapter 5).")
-      .def(py::init([=](const Floats& densities, const Triple& spacing, const Triple& origin) {
+      .def(py::init([=](const Array<float>& densities, const Triple& spacing, const Triple& origin) {
              return mutable_volume(from_array(densities, spacing, origin));
            }),
            py::arg("densities"), py::arg("spacing") = Triple{1, 1, 1}, py::arg("origin") = Triple{0, 0, 0},

@@ -6,6 +6,9 @@
 
 namespace fieldfab::cam {
 
+/// Greatest distance of the short feeds that replace a curve of a program from the curve, mm.
+inline constexpr double chord_tolerance = 0.001;
+
 /// Returns the angle (radians) of the longest chord whose sagitta, its greatest distance from its arc, is at most
 /// `tolerance` > 0: 2 arccos(1 - tolerance / radius). pi where the radius is `tolerance` or less, or NaN.
 inline double chord_angle(double radius, double tolerance) {

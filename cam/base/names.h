@@ -22,7 +22,7 @@ Enumeration named(std::string_view name, const std::array<std::string_view, coun
     if (names[i] == name) return static_cast<Enumeration>(i);
   throw Error(ErrorKind::bad_input, place,
               fmt::format("{} is '{:.40}'; it must be one of {}{}", what, name, fmt::join(names, ", "),
-                          suggestion(name, names)));
+                          fieldfab::suggestion(name, names)));
 }
 
 }  // namespace fieldfab::cam

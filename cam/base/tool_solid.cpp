@@ -16,11 +16,6 @@ double upper_end(const Zone& zone) {
   return zone.shape == Zone::Shape::frustum ? zone.z1 : zone.z0 + (zone.shape == Zone::Shape::ball ? zone.r0 : zone.r1);
 }
 
-double widest(const Zone& zone) {
-  if (zone.shape == Zone::Shape::frustum) return std::max(zone.r0, zone.r1);
-  return zone.shape == Zone::Shape::ball ? zone.r0 : zone.r0 + zone.r1;
-}
-
 /// The cutting part up to the height `length`, for shapes without a free profile.
 ToolPiece cutter(const Tool& tool, double length) {
   const double r = tool.radius();
@@ -60,6 +55,11 @@ ToolPiece cutter(const Tool& tool, double length) {
 }
 
 }  // namespace
+
+double widest(const Zone& zone) {
+  if (zone.shape == Zone::Shape::frustum) return std::max(zone.r0, zone.r1);
+  return zone.shape == Zone::Shape::ball ? zone.r0 : zone.r0 + zone.r1;
+}
 
 double ToolSolid::radius() const {
   double most = 0;

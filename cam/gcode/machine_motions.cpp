@@ -7,12 +7,6 @@
 #include "travel.h"
 
 namespace fieldfab::cam::gcode {
-namespace {
-
-constexpr double chord_tolerance = 0.001;  // mm, for arcs that become short feeds
-
-}  // namespace
-
 void MachineMotions::give(Motion motion) {
   const AxisValues to = motion.end;
   for (const double value : to.at)

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "base/chords.h"
 #include "refusal.h"
 
 namespace fieldfab::cam::gcode {
 namespace {
 
-constexpr double chord_tolerance = 0.001;  // mm; greatest distance of the curve from its feeds
 constexpr int deepest_halving = 16;
 constexpr std::size_t most_points = 100'000;
 

@@ -22,7 +22,7 @@ Depths depths_of(const Values& values, const Box& stock) {
   return d;
 }
 
-Settings depth_settings(double standard_depth = unset) {
+Settings flat_depth_settings(double standard_depth = unset) {
   return {number("top", "mm", unset, "z of the top of the material; the default is the top of the stock"),
           above_zero(number("depth", "mm", standard_depth, "depth below the top; the default is through the stock")),
           above_zero(number("stepdown", "mm", unset, "depth of each pass; the default is one pass"))};
@@ -44,7 +44,7 @@ CutSettings cut_of(const Values& values, const Context& context, const Depths& d
   return cut;
 }
 
-double stepover_of(const Values& values, const Context& context) {
+double flat_stepover_of(const Values& values, const Context& context) {
   if (!(context.tool.diameter > 0))
     throw Error(ErrorKind::bad_input, values.place("stepover"), "needs a tool with a diameter");
   return values.number("stepover") * context.tool.diameter;
@@ -71,7 +71,7 @@ Artifact profile_stage(const Artifact& in, const Values& values, Context& contex
 
 Artifact isolate_stage(const Artifact& in, const Values& values, Context& context) {
   PlannedCuts cuts;
-  cuts.paths = isolate(std::get<Outline>(in), static_cast<int>(values.number("offsets")), stepover_of(values, context),
+  cuts.paths = isolate(std::get<Outline>(in), static_cast<int>(values.number("offsets")), flat_stepover_of(values, context),
                        cut_of(values, context, depths_of(values, context.stock)), context.progress);
   cuts.inside_first = false;  // no piece comes loose
   return cuts;
@@ -107,7 +107,7 @@ Outline area_of(const Artifact& in, const Values& values, const CutSettings& cut
 Artifact pocket_stage(const Artifact& in, const Values& values, Context& context) {
   const CutSettings cut = cut_of(values, context, depths_of(values, context.stock));
   const Outline area = area_of(in, values, cut, context);
-  const ClearSettings clear = clear_of(values, stepover_of(values, context), context.tool);
+  const ClearSettings clear = clear_of(values, flat_stepover_of(values, context), context.tool);
   const std::vector<Vec2> left = too_narrow(area, cut.radius + cut.allowance, context.progress);
   PlannedCuts cuts;
   cuts.paths = pocket(area, clear, cut, context.progress);
@@ -203,7 +203,7 @@ Artifact face_stage(const Artifact& in, const Values& values, Context& context) 
     throw Error(ErrorKind::bad_input, values.place("depth"),
                 "the stock is no higher than the part: there is nothing to face; give a depth");
   if (is_set(values, "stepdown")) depths.step = values.number("stepdown");
-  const FaceSettings settings{stepover_of(values, context), to_radians(values.number("angle")),
+  const FaceSettings settings{flat_stepover_of(values, context), to_radians(values.number("angle")),
                               values.flag("both_ways")};
   PlannedCuts cuts;
   cuts.paths = face(Rectangle::of(context.stock), settings, cut_of(values, context, depths));
@@ -299,29 +299,29 @@ std::vector<Stage> flat_stages() {
                 whole(at_least(0, number("tabs", "", 0, "number of tabs on each outline, which hold the part"))),
                 only_with("tabs", above_zero(number("tab_width", "mm", 4, "width of a tab"))),
                 only_with("tabs", above_zero(number("tab_height", "mm", 1, "height of a tab")))} +
-           depth_settings() + cut,
+           flat_depth_settings() + cut,
        profile_stage, at_side},
       {"isolate", "offsets outward from the part, as for the traces of a circuit board", Kind::outline, Kind::paths,
        true,
        Settings{whole(at_least(-1, number("offsets", "", 4, "number of offsets; -1 clears everything"))),
                 stepover_setting(0.5, "distance from one offset to the next")} +
-           depth_settings(0.1) + cut,
+           flat_depth_settings(0.1) + cut,
        isolate_stage, outside},
       {"pocket", "clears the inside of the part's outline, or the stock around it", Kind::outline, Kind::paths, true,
        Settings{choice("side", {"inside", "outside"}, "side of the outline that is cleared"),
                 stepover_setting(0.4, "distance of the rings")} +
-           clear_settings() + depth_settings() + cut,
+           clear_settings() + flat_depth_settings() + cut,
        pocket_stage, at_side},
       {"slot", "runs along the middle of slots as wide as the tool", Kind::outline, Kind::paths, true,
        Settings{choice("side", {"outside", "inside"}, "slots in the part, or the inside of a drawing of slots"),
                 above_zero(number("widest", "mm", unset, "greatest width of a slot; the default is 1.05 diameters"))} +
-           depth_settings() + cut,
+           flat_depth_settings() + cut,
        slot_stage, at_side},
       {"drill", "the part's round holes", Kind::outline, Kind::paths, true,
        Settings{above_zero(number("peck", "mm", unset, "depth of each peck; the default is no pecking")),
                 above_zero(
                     number("largest", "mm", unset, "largest diameter of the holes; the default is that of the tool"))} +
-           depth_settings(),
+           flat_depth_settings(),
        drill_stage, inside},
       {"thread", "mills threads into the part's round holes", Kind::outline, Kind::paths, true,
        Settings{above_zero(number("pitch", "mm", unset, "rise of the thread in a turn")),
@@ -330,7 +330,7 @@ std::vector<Stage> flat_stages() {
                                   "each hole")),
                 choice("hand", {"right", "left"}, "a right-hand or a left-hand thread"),
                 whole(at_least(1, number("passes", "", 1, "number of passes to the thread's full depth")))} +
-           depth_settings() + cut,
+           flat_depth_settings() + cut,
        thread_stage, inside},
       {"face", "clears the top of the stock, down to the part", Kind::solid, Kind::paths, true,
        Settings{stepover_setting(0.6, "greatest width of a pass"),
@@ -349,9 +349,9 @@ std::vector<Stage> flat_stages() {
            cut,
        chamfer_stage},
       {"engrave", "follows the part's outline with the tip, as for lettering", Kind::outline, Kind::paths, true,
-       depth_settings(0.2) + cut, engrave_stage},
+       flat_depth_settings(0.2) + cut, engrave_stage},
       {"v_carve", "carves the inside of the outline with a V", Kind::outline, Kind::paths, true,
-       Settings{above_zero(number("stepover", "mm", 0.2, "distance of passes on a flat floor"))} + depth_settings() +
+       Settings{above_zero(number("stepover", "mm", 0.2, "distance of passes on a flat floor"))} + flat_depth_settings() +
            cut,
        v_carve_stage, inside},
   };

@@ -13,7 +13,7 @@ namespace fieldfab::cam {
 namespace {
 constexpr int table_size = 4096;
 constexpr int longest_side = 32;  // of blocks and of fine squares
-constexpr double nothing = -std::numeric_limits<double>::infinity();
+constexpr double below_all = -std::numeric_limits<double>::infinity();
 }  // namespace
 
 TipSurface::TipSurface(std::shared_ptr<const Surface> surface, const Profile& profile, double allowance)
@@ -119,11 +119,11 @@ struct TipSurface::Search {
   [[nodiscard]] double bound(std::size_t level, int column, int row) const {
     const HeightMap& l = tips.tops_[level];
     const double top = l.at(column, row);
-    if (top <= best.tip) return nothing;
+    if (top <= best.tip) return below_all;
     const double x = l.origin.x() + l.cell * column - p.x(), y = l.origin.y() + l.cell * row - p.y();
     const double dx = std::max(0.0, std::max(x, -x - l.cell)), dy = std::max(0.0, std::max(y, -y - l.cell));
     const double squared = dx * dx + dy * dy;
-    return squared > reach ? nothing : top - tips.least_height(squared);
+    return squared > reach ? below_all : top - tips.least_height(squared);
   }
 
   void descend(std::size_t level, int column, int row) {
@@ -193,7 +193,7 @@ TipSurface::Contact TipSurface::contact(const Vec2& p, const Vec2& guess) const 
   const double reach = radius + h_cell;  // between samples a square is as high as its neighbour
   const Vec2 low = (p - l.origin - Vec2::Constant(reach)) / l.cell,
              high = (p - l.origin + Vec2::Constant(reach)) / l.cell;
-  double around = nothing;  // greatest height within reach
+  double around = below_all;  // greatest height within reach
   if (high.minCoeff() >= 0 && low.x() <= l.width && low.y() <= l.height)
     for (int row = clamp(low.y(), l.height); row <= clamp(high.y(), l.height); ++row)
       for (int column = clamp(low.x(), l.width); column <= clamp(high.x(), l.width); ++column) {

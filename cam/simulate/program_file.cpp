@@ -4,17 +4,13 @@
 #include <cctype>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/lower_case.h"
 
 namespace fieldfab::cam {
 namespace {
 
 std::string_view text_of(const MappedFile& file) {
   return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 /// State of the control before a program with this many lines starts.

@@ -11,7 +11,7 @@
 
 namespace fieldfab::cam {
 
-using Kind = SimulationEvent::Kind;
+using EventKind = SimulationEvent::Kind;
 
 namespace {
 
@@ -55,7 +55,7 @@ void SimulationRun::carry_out(const ProgramFile& program) {
       setup_, [this](const Motion& motion) { take_motion(motion); }, progress_);
   flush();
   if (!spindle_turns_)
-    if (const int line = log_.forget(Kind::spindle_stopped, program_number_); line > 0)
+    if (const int line = log_.forget(EventKind::spindle_stopped, program_number_); line > 0)
       log_.note({line, "the spindle never turns while the program moves: it is taken as switched on by hand",
                  program_number_});
   log_.add_first(notes, program_number_);
@@ -223,7 +223,7 @@ void SimulationRun::flush() {
 }
 
 void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const StrokeResult& result) {
-  const auto told = [&](Kind kind, const char* what) {
+  const auto told = [&](EventKind kind, const char* what) {
     if (result.volume <= 0) return;
     log_.add({kind, purpose.move, result.place, result.volume,
               fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(),
@@ -236,19 +236,19 @@ void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const St
       // Rubbing along a surface counts as air: a chip of less than 0.01 mm by 0.01 mm.
       (result.volume > 1e-4 * purpose.length ? line.cut : line.air) += purpose.length;
       (result.volume > 1e-4 * purpose.length ? report_.cut : report_.air) += purpose.length;
-      if (purpose.stopped) told(Kind::spindle_stopped, "it cuts while the spindle stands");
+      if (purpose.stopped) told(EventKind::spindle_stopped, "it cuts while the spindle stands");
       break;
     case Purpose::What::rapid:
       if (stroke.removes)
         line.removed += result.volume, report_.removed += result.volume;
       else
-        told(Kind::rapid_contact, "a rapid goes through material");
+        told(EventKind::rapid_contact, "a rapid goes through material");
       break;
     case Purpose::What::shank:
-      if (!stroke.removes) told(Kind::shank_contact, "the shank meets material");
+      if (!stroke.removes) told(EventKind::shank_contact, "the shank meets material");
       break;
-    case Purpose::What::holder: told(Kind::holder_contact, "the holder meets material"); break;
-    case Purpose::What::fixture: told(Kind::fixture_contact, "the tool meets a fixture"); break;
+    case Purpose::What::holder: told(EventKind::holder_contact, "the holder meets material"); break;
+    case Purpose::What::fixture: told(EventKind::fixture_contact, "the tool meets a fixture"); break;
   }
 }
 
@@ -264,7 +264,7 @@ void SimulationRun::check_limits(const Motion& motion, const std::vector<AxisVal
       const bool end = i + 1 == stations.size();
       if (excess <= 1e-6 || (!end && excess <= before)) continue;
       const double unit = is_rotary(axis) ? degrees_per_radian : 1;
-      log_.add({Kind::over_travel, cut_move(motion), stations[i].xyz() - setup_.zero, excess * unit,
+      log_.add({EventKind::over_travel, cut_move(motion), stations[i].xyz() - setup_.zero, excess * unit,
                 fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis],
                             stations[i].at[axis] * unit, low * unit, high * unit)});
     }

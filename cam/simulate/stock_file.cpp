@@ -1,13 +1,13 @@
 #include <cctype>
 
 #include "fieldfab/cam/simulate/picture.h"
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/mesh/ply.h"
 
 namespace fieldfab::cam {
 
 void write_stock_mesh(const SimulationResult& result, const std::filesystem::path& path, Progress& progress) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower_extension(path);
   if (extension == ".fieldstock") return write_stock(result.stock(), path);
   if (extension != ".ply") return write_mesh(result.surface().mesh, path, progress);
   const std::vector<Colour> colours = vertex_colours(result, default_colouring(result));

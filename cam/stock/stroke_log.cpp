@@ -15,10 +15,6 @@ bool same(const ToolPiece& one, const ToolPiece& other) {
 
 double upper_end(const Zone& zone) { return std::max(zone.z0, zone.z1); }
 
-double widest(const Zone& zone) {
-  return zone.shape == Zone::Shape::ring ? zone.r0 + zone.r1 : std::max(zone.r0, zone.r1);
-}
-
 }  // namespace
 
 void StrokeLog::add(const Stroke& stroke, const Vec3& origin) {

@@ -13,12 +13,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Maximum radius of a zone about its axis, or of a ball.
-double widest(const Zone& zone) {
-  if (zone.shape == Zone::Shape::frustum) return std::max(zone.r0, zone.r1);
-  return zone.shape == Zone::Shape::ball ? zone.r0 : zone.r0 + zone.r1;
-}
-
 /// Bounding box of a zone in a pose.
 Box box_of(const Zone& zone, const ToolPose& pose) {
   if (zone.shape == Zone::Shape::ball) {

@@ -7,6 +7,7 @@
 
 #include "cost.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/solid/scan_solid.h"
 #include "solids.h"
 
@@ -15,9 +16,7 @@ namespace {
 
 /// Returns the folder of a slice, which stands for the whole stack.
 std::filesystem::path whole_volume(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_extension(file);
   if (extension != ".tif" && extension != ".tiff" && extension != ".png" && extension != ".dcm") return file;
   std::size_t slices = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::absolute(file).parent_path()))

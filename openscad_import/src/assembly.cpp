@@ -6,11 +6,12 @@
 #include <memory>
 #include <numeric>
 
+#include "few_directions.h"
+
 namespace fieldfab::openscad {
 namespace {
 
 constexpr std::size_t chunk = 256;
-constexpr std::size_t lanes = 8;  // number of directions evaluated together
 using Chunk = std::array<float, chunk>;
 
 /// Distance of two boxes along the axis on which they are farthest apart; 0 if they overlap.
@@ -83,16 +84,15 @@ class Assembly final : public Field {
     for (const Placed& part : parts_) {
       if (least_of(part, box) > upper) continue;
       if (const Interval range = part.field->interval(box); range.lower > upper && !range.maybe_nan) continue;
-      for (std::size_t first = 0; first < directions.size(); first += lanes) {
-        const std::size_t count = std::min(lanes, directions.size() - first);
-        part.field->slopes(box, directions.subspan(first, count), one);
-        for (std::size_t i = 0; i < count; ++i) {
+      for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
+        part.field->slopes(box, some, one);
+        for (std::size_t i = 0; i < some.size(); ++i) {
           Interval& all = out[first + i];
           all = any ? Interval{std::min(all.lower, one[i].lower), std::max(all.upper, one[i].upper),
                                all.maybe_nan || one[i].maybe_nan}
                     : one[i];
         }
-      }
+      });
       any = true;
     }
   }

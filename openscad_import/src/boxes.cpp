@@ -31,7 +31,7 @@ void add_planes(const Boxes& boxes, Planes& planes) {
   for (const Boxes& child : boxes.children) add_planes(child, planes);
 }
 
-Planes planes_of(const Boxes& boxes, double same) {
+Planes cutting_planes(const Boxes& boxes, double same) {
   Planes planes;
   add_planes(boxes, planes);
   for (std::vector<double>& along : planes) tidy(along, same);
@@ -185,7 +185,7 @@ class Layer {
 };
 
 Grid grid_of(const Boxes& boxes, double same, Progress& progress) {
-  Grid grid(planes_of(boxes, same));
+  Grid grid(cutting_planes(boxes, same));
   const Spans spans = spans_of(boxes, grid.planes);
   for (std::size_t z = spans.first[2]; z < spans.last[2]; ++z) {
     progress.check();
@@ -373,7 +373,7 @@ std::optional<Box> box_of(const Polyhedron& solid) {
 bool have_few_cells(const Boxes& boxes, bool grown) {
   constexpr double most = 64e6;
   double cells = 1;
-  for (const auto& along : planes_of(boxes, 0)) cells *= (grown ? 2.0 : 1.0) * static_cast<double>(along.size());
+  for (const auto& along : cutting_planes(boxes, 0)) cells *= (grown ? 2.0 : 1.0) * static_cast<double>(along.size());
   return cells <= most;
 }
 

@@ -10,7 +10,7 @@
 namespace fieldfab::openscad {
 namespace {
 
-constexpr std::size_t most_planes = 12, most_pieces = 1000;
+constexpr std::size_t most_hollows = 12, most_pieces = 1000;
 
 double volume_of(const Polyhedron& solid) {
   double six = 0;
@@ -83,7 +83,7 @@ std::optional<Pieces> cut_open(const Polyhedron& solid, Progress& progress) {
         pieces.push_back(convex_hull(surface.vertices));
         continue;
       }
-      if (hollows.size() > most_planes) return std::nullopt;
+      if (hollows.size() > most_hollows) return std::nullopt;
       bool cut = false;
       for (auto plane = hollows.begin(); plane != hollows.end() && !cut; ++plane) {
         const ExactSolid beyond(half_space(*plane, centre, reach));

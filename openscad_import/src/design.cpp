@@ -1,3 +1,4 @@
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/openscad/design.h"
 
 #include <algorithm>
@@ -15,12 +16,6 @@ namespace fieldfab::openscad {
 namespace {
 
 constexpr std::uintmax_t most_text = 1'000'000'000;  // bytes
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// Returns a voxel that resolves thin parts, unless that puts too many cells on the surface.
 double voxel_for(double longest, double thinnest, double area) {

@@ -9,18 +9,13 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/mesh/load_mesh.h"
 #include "fieldfab/render/image.h"
 #include "programs.h"
 
 namespace fieldfab::openscad {
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// Returns the outlines of the path in an .svg file written by OpenSCAD: "M x,y L x,y ... z", with
 /// y downwards.

@@ -16,7 +16,7 @@ namespace {
 
 using frep::Expression;
 
-constexpr std::size_t most_planes = 40;  // solids of revolution with more planes are evaluated by their profile
+constexpr std::size_t most_planes_of_turned = 40;  // solids of revolution with more planes are evaluated by their profile
 
 /// Smallest and largest factor by which a map stretches.
 struct Stretch {
@@ -135,9 +135,9 @@ Expression placed(const Expression& formula, const Eigen::Affine3d& placement) {
   return std::abs(least - 1) < 1e-5 ? there : there * least;
 }
 
-class Extruded final : public Leaf {
+class ExtrudedLeaf final : public Leaf {
  public:
-  Extruded(Region region, double lower, double upper, const Eigen::Affine3d& placement)
+  ExtrudedLeaf(Region region, double lower, double upper, const Eigen::Affine3d& placement)
       : region_(std::move(region)), lower_(lower), upper_(upper), placement_(placement) {}
   [[nodiscard]] Shape solid(const Making& making) const override {
     const double growth = making.growth / stretch_of(placement_).least;
@@ -209,9 +209,9 @@ class Extruded final : public Leaf {
   Eigen::Affine3d placement_;
 };
 
-class Turned final : public Leaf {
+class TurnedLeaf final : public Leaf {
  public:
-  Turned(TurnedShape shape, const Eigen::Affine3d& placement) : shape_(std::move(shape)), placement_(placement) {}
+  TurnedLeaf(TurnedShape shape, const Eigen::Affine3d& placement) : shape_(std::move(shape)), placement_(placement) {}
 
   [[nodiscard]] Shape solid(const Making& making) const override {
     const double growth = making.growth / stretch_of(placement_).least;
@@ -263,7 +263,7 @@ class Faceted final : public Leaf {
   Faceted(Polyhedron solid, TurnedShape shape, const Eigen::Affine3d& placement)
       : planes_(std::move(solid)), turned_(std::move(shape), placement) {}
   [[nodiscard]] Shape solid(const Making& making) const override {
-    return making.formulas_only || planes_.count() <= most_planes ? planes_.solid(making) : turned_.solid(making);
+    return making.formulas_only || planes_.count() <= most_planes_of_turned ? planes_.solid(making) : turned_.solid(making);
   }
   [[nodiscard]] Polyhedron polyhedron() const override { return planes_.polyhedron(); }
   [[nodiscard]] Box bounds() const override { return planes_.bounds(); }
@@ -273,7 +273,7 @@ class Faceted final : public Leaf {
 
  private:
   Convex planes_;
-  Turned turned_;
+  TurnedLeaf turned_;
 };
 
 class Cone final : public Leaf {
@@ -376,11 +376,11 @@ LeafPtr rounded_leaf(Polyhedron solid, double radius) {
 }
 LeafPtr extruded_leaf(const Region& region, double lower, double upper, const Eigen::Affine3d& placement) {
   if (region.empty() || !(upper > lower)) return nullptr;
-  return std::make_shared<Extruded>(region, lower, upper, placement);
+  return std::make_shared<ExtrudedLeaf>(region, lower, upper, placement);
 }
 LeafPtr turned_leaf(TurnedShape shape, const Eigen::Affine3d& placement) {
   if (shape.profile.empty()) return nullptr;
-  return std::make_shared<Turned>(std::move(shape), placement);
+  return std::make_shared<TurnedLeaf>(std::move(shape), placement);
 }
 LeafPtr faceted_leaf(Polyhedron solid, TurnedShape shape, const Eigen::Affine3d& placement) {
   if (solid.empty()) return nullptr;

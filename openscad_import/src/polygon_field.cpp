@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "few_directions.h"
 #include "fieldfab/field/distance_slopes.h"
 #include "polygon_distance.h"
 
@@ -34,15 +35,6 @@ Span distances(const Distance& whole, const Vec2& centre, double reach, Distance
   if (!near) near = whole;
   const double wide = reach + margin(std::abs(middle) + reach + centre.cwiseAbs().maxCoeff());
   return {middle - wide, middle + wide};
-}
-
-constexpr std::size_t lanes = 8;  // number of directions evaluated together
-
-/// Calls visit(some, first) for consecutive parts of at most `lanes` directions.
-template <class Visit>
-void for_few(std::span<const Vec3> directions, const Visit& visit) {
-  for (std::size_t first = 0; first < directions.size(); first += lanes)
-    visit(directions.subspan(first, std::min(lanes, directions.size() - first)), first);
 }
 
 Interval hull(const Interval& a, const Interval& b) {

@@ -11,7 +11,7 @@
 namespace fieldfab::openscad {
 namespace {
 
-constexpr std::uint32_t most_in_group = 4;
+constexpr std::uint32_t most_triangles_in_group = 4;
 
 using EdgeKey = std::pair<std::uint32_t, std::uint32_t>;
 EdgeKey edge_key(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
@@ -168,7 +168,7 @@ class SurfaceField final : public Field {
       group.upper = group.upper.cwiseMax(f.a).cwiseMax(f.b).cwiseMax(f.c);
     }
     groups_.push_back(group);
-    if (count <= most_in_group) return;
+    if (count <= most_triangles_in_group) return;
     Eigen::Index axis = 0;
     (group.upper - group.lower).maxCoeff(&axis);
     const auto middle = [&](std::uint32_t i) {

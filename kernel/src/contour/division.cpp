@@ -11,16 +11,11 @@
 namespace fieldfab::contouring {
 namespace {
 
-constexpr std::array<unsigned, 3> stride{1, 3, 9};
-
-LatticePoint child_of(const LatticePoint& lower, unsigned child, int level) {
-  return moved(lower, static_cast<int>(child & 1U) << level, static_cast<int>(child >> 1 & 1U) << level,
-               static_cast<int>(child >> 2) << level);
-}
+constexpr std::array<unsigned, 3> corner_stride{1, 3, 9};
 
 /// The 3x3 signs on one face: bit u + 3 v, with u and v the next axes after `axis`.
 unsigned face_of(unsigned inside, unsigned axis, bool upper) {
-  const unsigned u = stride[(axis + 1) % 3], v = stride[(axis + 2) % 3], base = upper ? 2 * stride[axis] : 0;
+  const unsigned u = corner_stride[(axis + 1) % 3], v = corner_stride[(axis + 2) % 3], base = upper ? 2 * corner_stride[axis] : 0;
   unsigned face = 0;
   for (unsigned j = 0; j < 3; ++j)
     for (unsigned i = 0; i < 3; ++i) face |= (inside >> (base + i * u + j * v) & 1U) << (i + 3 * j);
@@ -192,20 +187,20 @@ std::uint32_t BlockRefiner::make(const LatticePoint& lower, int level) {
   static thread_local std::vector<SurfacePoint> points;
   edges.clear();
   std::size_t changes = 0;
-  for (const unsigned step : stride)
+  for (const unsigned step : corner_stride)
     changes += static_cast<std::size_t>(std::popcount(division.inside ^ division.inside >> step));
   division.crossings.reserve(changes);  // more than there are, since rows run into each other
   for (unsigned axis = 0; axis < 3; ++axis)
     for (unsigned i = 0; i < 27; ++i) {
-      const unsigned next = i + stride[axis];
-      if (i / stride[axis] % 3 == 2 || (division.inside >> i & 1U) == (division.inside >> next & 1U)) continue;
+      const unsigned next = i + corner_stride[axis];
+      if (i / corner_stride[axis] % 3 == 2 || (division.inside >> i & 1U) == (division.inside >> next & 1U)) continue;
       division.crossings.push_back(
           {static_cast<std::uint8_t>(axis),
            {static_cast<std::uint8_t>(i % 3), static_cast<std::uint8_t>(i / 3 % 3), static_cast<std::uint8_t>(i / 9)},
            (division.inside >> i & 1U) != 0,
            {}});
       edges.push_back(
-          {static_cast<int>(axis), {x[i], y[i], z[i]}, plane[axis][i / stride[axis] % 3 + 1], value[i], value[next]});
+          {static_cast<int>(axis), {x[i], y[i], z[i]}, plane[axis][i / corner_stride[axis] % 3 + 1], value[i], value[next]});
     }
   locate_crossings(*solid, edges, lattice_.side(division.level), static_cast<float>(lattice_.float_step()), points);
   for (std::size_t i = 0; i < points.size(); ++i) division.crossings[i].point = points[i];
@@ -232,8 +227,8 @@ void BlockRefiner::collect_requests(std::vector<DivisionRequest>& requests) {
       const unsigned u = (axis + 1) % 3, v = (axis + 2) % 3;
       for (unsigned corner = 0; corner < 4; ++corner) {
         const bool high_u = (corner & 1U) != 0, high_v = (corner & 2U) != 0;
-        const unsigned base = (high_u ? 2 * stride[u] : 0) + (high_v ? 2 * stride[v] : 0);
-        const auto at = [&](unsigned i) { return (division.inside >> (base + i * stride[axis]) & 1U) != 0; };
+        const unsigned base = (high_u ? 2 * corner_stride[u] : 0) + (high_v ? 2 * corner_stride[v] : 0);
+        const auto at = [&](unsigned i) { return (division.inside >> (base + i * corner_stride[axis]) & 1U) != 0; };
         if (at(1) == at(0) && at(1) == at(2)) continue;
         const bool plain = at(1) == at(0) || at(1) == at(2);
         LatticePoint by_u = division.lower, by_v = division.lower;

@@ -20,12 +20,6 @@ namespace {
 
 constexpr std::size_t bytes_a_block = 8192;  // a typical Block with its crossings, leafs, records and triangles
 
-LatticePoint child_of(const LatticePoint& lower, unsigned child, int child_level) {
-  return {lower[0] + (static_cast<int>(child & 1U) << child_level),
-          lower[1] + (static_cast<int>(child >> 1 & 1U) << child_level),
-          lower[2] + (static_cast<int>(child >> 2) << child_level)};
-}
-
 }  // namespace
 
 /// A cube at or above block level.

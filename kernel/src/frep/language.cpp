@@ -16,7 +16,6 @@
 namespace fieldfab::frep {
 namespace {
 
-using Names = std::vector<std::string_view>;
 
 const Word open_word{"open", WordKind::function, "open(\"FILE\", NAME = VALUE, …)",
                      "the solid of a file that Fieldfab reads", "open(\"scan.nrrd\", threshold = 300)"};
@@ -36,7 +35,7 @@ bool begins(std::string_view name, std::string_view start) {
 /// A definition in a text. Token numbers do not count comments.
 struct Definition {
   std::string_view name;
-  std::optional<Names> parameters;  ///< of a function
+  std::optional<std::vector<std::string_view>> parameters;  ///< of a function
   std::size_t first, body, end;     ///< tokens: the name, the first of the value, the one after the value
 };
 
@@ -102,7 +101,7 @@ class Statements {
     if (end > first && is(end - 1, ";")) --end;
     if (end <= first || !is_name(first)) return;
     std::size_t after = first + 1;
-    std::optional<Names> parameters;
+    std::optional<std::vector<std::string_view>> parameters;
     if (is(after, "(")) {
       parameters.emplace();
       for (++after; is_name(after); ++after) {
@@ -127,7 +126,7 @@ struct Enclosing {
   std::size_t token;      ///< its name
   std::size_t argument;   ///< number of arguments that end before
   std::size_t positional;
-  Names named;
+  std::vector<std::string_view> named;
 };
 
 /// Returns the innermost call around token i.

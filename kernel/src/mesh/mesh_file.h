@@ -45,9 +45,6 @@ MeshFromFile read_3mf(std::string_view bytes, const std::filesystem::path& path,
 std::vector<MeshPart> read_3mf_parts(std::string_view bytes, const std::filesystem::path& path, Progress& progress,
                                      std::vector<std::string>& notes);
 
-/// Returns the extension in lower case, with the dot.
-std::string lower_extension(const std::filesystem::path& path);
-
 /// Unique names: a name that was used before gets the separator and 2, 3 and so on appended.
 class PartNames {
  public:

@@ -11,6 +11,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/lower_case.h"
 #include "mesh_file.h"
 
 namespace fieldfab {

@@ -9,6 +9,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/mesh/ply.h"
 #include "mesh_file.h"
@@ -246,13 +247,6 @@ void write_parts(std::span<const PartView> parts, const std::filesystem::path& p
 }
 
 }  // namespace
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 bool is_mesh_extension(const std::string& extension) {
   constexpr std::array known{".stl", ".ply", ".off", ".obj", ".3mf", ".glb"};

@@ -11,6 +11,7 @@
 #include <unordered_set>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/core/text.h"
 #include "mesh_file.h"
 #include "three_mf_model.h"
@@ -24,12 +25,6 @@ constexpr std::uint64_t most_triangles = 0x7fffffff, most_placed = 100'000'000;
 std::string part_name(std::string_view target) {
   while (target.starts_with('/') || target.starts_with("./")) target.remove_prefix(target[0] == '/' ? 1 : 2);
   return std::string(target);
-}
-
-/// Names are case-insensitive.
-std::string lower(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
 }
 
 /// Size of an object when placed; sums saturate beyond all limits.
@@ -158,7 +153,7 @@ class Assembly {
   }
 
   std::uint32_t load(const std::string& name) {
-    const auto [at, is_new] = parts_.try_emplace(lower(name), static_cast<std::uint32_t>(models_.size()));
+    const auto [at, is_new] = parts_.try_emplace(lower_case(name), static_cast<std::uint32_t>(models_.size()));
     if (is_new) {
       progress_.report(0, "reading the mesh");
       models_.push_back(read_three_mf_model(zip_, name, path_, budget_, progress_));

@@ -8,7 +8,6 @@ namespace {
 
 constexpr std::uint32_t most_in_leaf = 4;
 
-Vec3 centre_of(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3; }
 
 }  // namespace
 

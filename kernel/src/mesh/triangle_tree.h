@@ -16,6 +16,9 @@ namespace fieldfab {
 /// Returns the corners of each triangle.
 std::vector<std::array<Vec3, 3>> corners_of_all(const TriangleMesh& mesh);
 
+/// Returns the mean of the corners.
+inline Vec3 centre_of(const std::array<Vec3, 3>& triangle) { return (triangle[0] + triangle[1] + triangle[2]) / 3; }
+
 /// Whether a triangle and a box have a common point (separating axis theorem).
 bool meet(const std::array<Vec3, 3>& triangle, const Box& box);
 

@@ -13,7 +13,6 @@ namespace {
 constexpr std::uint32_t most_in_group = 8;
 constexpr double far_away = 2.3;  // in radii: beyond this distance a group counts as one dipole
 
-Vec3 centre_of(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3; }
 Vec3 area_of(const std::array<Vec3, 3>& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]); }
 
 /// Solid angle of a triangle seen from a point, over 4 pi (Van Oosterom and Strackee 1983).

@@ -1,3 +1,4 @@
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/solid/formats.h"
 
 #include <algorithm>
@@ -20,9 +21,7 @@ std::string_view name_of(FormatKind kind) {
 }
 
 const Format* Formats::find(const std::filesystem::path& path) const {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = lower_case(path.filename().string());
   const Format* found = nullptr;
   std::size_t longest = 0;
   for (const Format& row : rows_)

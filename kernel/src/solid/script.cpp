@@ -15,7 +15,7 @@ namespace fieldfab {
 namespace {
 
 constexpr auto longest_run = std::chrono::seconds(60);
-constexpr std::size_t most_text = 256'000'000;  // bytes of the answer
+constexpr std::size_t most_answer = 256'000'000;  // bytes of the answer
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::string run_script(const std::filesystem::path& path, Progress& progress) {
     if (std::chrono::steady_clock::now() - started > longest_run)
       throw Error(ErrorKind::bad_input, path.string(),
                   fmt::format("the script still runs after {} s; an endless loop?", longest_run.count()));
-    if (text.size() > most_text) throw Error(ErrorKind::too_large, path.string(), "the script's shape is too large");
+    if (text.size() > most_answer) throw Error(ErrorKind::too_large, path.string(), "the script's shape is too large");
   }
   const int status = child.wait();
   if (text.starts_with("ok\n")) return text.substr(3);

@@ -11,16 +11,11 @@
 #include <sstream>
 
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/lower_case.h"
 #include "readers.h"
 
 namespace fieldfab {
 namespace {
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");

@@ -31,9 +31,6 @@ VolumePtr volume_in(std::shared_ptr<const float> densities, const SampleLattice&
 /// Converts samples of a file to floats; `swap` reverses their bytes.
 void to_floats(SampleType type, const std::byte* from, std::size_t count, bool swap, float* out);
 
-/// Returns the extension of a path in lower case.
-std::string extension_of(const Path& path);
-
 /// Reads `key = value` lines; keys in lower case, the first of equal keys counts. Throws as
 /// read_file().
 std::map<std::string, std::string> read_settings(const Path& path);

@@ -1,4 +1,5 @@
 // Choice of the reader for a path.
+#include "fieldfab/core/lower_case.h"
 #include "fieldfab/volume/volume_file.h"
 
 #include <algorithm>
@@ -9,20 +10,13 @@
 
 namespace fieldfab {
 
-std::string extension_of(const Path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 namespace {
 
 bool is_one_of(const std::string& extension, std::initializer_list<std::string_view> known) {
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
-bool is_tiff(const Path& path) { return is_one_of(extension_of(path), {".tif", ".tiff"}); }
-bool is_png(const Path& path) { return extension_of(path) == ".png"; }
+bool is_tiff(const Path& path) { return is_one_of(lower_extension(path), {".tif", ".tiff"}); }
+bool is_png(const Path& path) { return lower_extension(path) == ".png"; }
 
 /// Natural order of names: slice2 before slice10.
 bool natural_order(const Path& a, const Path& b) {
@@ -135,7 +129,7 @@ VolumePtr open_folder(const Path& folder, const VolumeFileOptions& options, Prog
 VolumePtr open_as_is(const Path& path, const VolumeFileOptions& options, Progress& progress) {
   if (std::filesystem::is_directory(path)) return open_folder(path, options, progress);
   require_regular_file(path);
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   if (is_one_of(extension, {".raw", ".vol"})) return open_raw(path, options);
   if (extension == ".vgi") return open_vgi(path, options);
   if (is_tiff(path)) return stack_of(tiff_pages(path), {path}, {});

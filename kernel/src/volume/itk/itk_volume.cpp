@@ -14,6 +14,7 @@
 
 #include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/lower_case.h"
 #include "volume/parts.h"
 #include "volume/read_in_copy.h"
 
@@ -389,7 +390,7 @@ Samples read_nifti(const Path& path, const Room& room) {
 }
 
 VolumePtr open(const Path& path, Progress& progress) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   if (extension == ".mha" || extension == ".mhd") {
     require_meta_dimensions(path);
     return open_meta(path, progress);
@@ -520,11 +521,11 @@ bool holds(const Path& path, const std::vector<float>& densities) {
 void write(const Volume& volume, const Path& path, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
   const std::vector<float> densities = read_all(volume, progress);
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   itk::ImageIOBase::Pointer io;
   if (extension == ".nrrd") io = itk::NrrdImageIO::New().GetPointer();
   if (extension == ".mha") io = itk::MetaImageIO::New().GetPointer();
-  if (extension == ".nii" || (extension == ".gz" && extension_of(path.stem()) == ".nii"))
+  if (extension == ".nii" || (extension == ".gz" && lower_extension(path.stem()) == ".nii"))
     io = itk::NiftiImageIO::New().GetPointer();
   if (!io)
     refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));

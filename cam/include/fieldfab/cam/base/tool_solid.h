@@ -29,6 +29,9 @@ struct Zone {
   bool lower_edge = true, upper_edge = true;
 };
 
+/// Returns the greatest distance of a zone from the tool's axis, mm.
+double widest(const Zone& zone);
+
 /// A convex union of zones with one function.
 struct ToolPiece {
   ToolRole role = ToolRole::cutting;
