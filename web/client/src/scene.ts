@@ -1,5 +1,5 @@
 // A 3D view of a model, rotated by mouse, touch or keys, drawn by three.js. Lengths are mm, z is up.
-import { AmbientLight, Box3, Color, DirectionalLight, Group, PerspectiveCamera, Scene as World, Sphere, Spherical,
+import { AmbientLight, Box3, Color, DirectionalLight, Group, PerspectiveCamera, Scene as World, Spherical,
   Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
@@ -33,11 +33,30 @@ export class Scene {
   }
 
   private fill(): void {
-    const w = Math.max(1, this.host.clientWidth), h = Math.max(1, this.host.clientHeight);
+    const w = Math.max(1, this.host.clientWidth), h = Math.max(1, this.host.clientHeight), before = this.distance();
     this.renderer.setSize(w, h, false);
     this.camera.aspect = w / h;
     this.camera.updateProjectionMatrix();
+    this.camera.position.sub(this.controls.target).multiplyScalar(this.distance() / before).add(this.controls.target);
     this.draw();
+  }
+
+  /** Distance from which a ball of radius 1 fits the narrower side of the view. */
+  private distance(): number {
+    return Math.hypot(1, 1 / Math.tan(Math.PI / 360 * this.camera.fov) / Math.min(1, this.camera.aspect));
+  }
+
+  /** The ball about the centre of the model's box that contains the model, so that no turn moves it out of the view. */
+  private ball(): { center: any; radius: number } {
+    const center = new Box3().setFromObject(this.model).getCenter(new Vector3()), corner = new Vector3();
+    let square = 0;
+    this.model.traverse((each: any) => {
+      const corners = each.geometry?.attributes.position;
+      for (let i = 0; i < (corners?.count ?? 0); ++i)
+        square = Math.max(square,
+          corner.fromBufferAttribute(corners, i).applyMatrix4(each.matrixWorld).distanceToSquared(center));
+    });
+    return { center, radius: Math.max(Math.sqrt(square), 1e-3) };
   }
 
   draw(): void {
@@ -50,10 +69,9 @@ export class Scene {
     });
   }
 
-  /** Fits the model to the view, seen from a corner. */
+  /** Fits the model to the view with a margin, seen from a corner. */
   fit(alpha = 0.6, height = 0.45): void {
-    const ball = new Box3().setFromObject(this.model).getBoundingSphere(new Sphere()), r = Math.max(ball.radius, 1e-3);
-    const far = r / Math.sin(Math.PI / 180 * this.camera.fov / 2) / Math.min(1, this.camera.aspect);
+    const ball = this.ball(), far = 1.05 * ball.radius * this.distance();
     Object.assign(this.camera, { near: far / 100, far: far * 10 });
     this.camera.updateProjectionMatrix();
     this.camera.position.set(Math.sin(-alpha) * Math.cos(height), -Math.cos(alpha) * Math.cos(height), Math.sin(height))
