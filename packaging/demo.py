@@ -75,7 +75,7 @@ def head(out, voxel):
     text = out / "cthead.frep"
     scan = os.path.relpath(DATA / "ct" / "cthead", out)
     text.write_text(f'rotate_y(open("{scan}", threshold = 60, keep_largest = 1), 180)\n')
-    fieldfab("render", text, "-o", out / "cthead.png", "--size", 900, "--alpha", 35, "--beta", -75)
+    fieldfab("render", text, "-o", out / "cthead.png", "--size", 900, "--alpha", 35, "--beta", -80)
     return fieldfab("mesh", text, "-o", out / "cthead.glb", "--voxel", voxel)
 
 
@@ -133,9 +133,10 @@ def verdict(passed):
     return '<span class="pass">✓</span>' if passed else '<span class="fail">a bound is broken</span>'
 
 
-def scene(name, picture, words, colour=None):
-    """Returns HTML of a model that can be rotated; without WebGL or scripts its picture is shown."""
-    return f"""<figure data-model="{name}"{f' data-colour="{colour}"' if colour else ""}>
+def scene(name, picture, words, colour="", height=0.45):
+    """Returns HTML of a model that can be rotated, seen first from an angle above the ground; without WebGL or scripts
+    its picture is shown."""
+    return f"""<figure data-model="{name}" data-colour="{colour}" data-height="{height}">
 <div class="scene" role="img" aria-label="{words}"><img src="{picture}" alt="{words}"></div>
 <figcaption>{words}. Drag to turn; arrow keys and the wheel work once it is clicked.
 <a href="{name}.glb" download>{name}.glb</a></figcaption></figure>"""
@@ -193,7 +194,7 @@ machine programs. It is for people who print or mill parts that start from scans
 {scene("mtm_az", "mtm_az.png", "The mill, from prefix math strings")}
 <p>{mill[0]['triangles']:,} triangles in {mill[1]:.1f} s.</p>
 <h2>A head, from a CT scan</h2>
-{scene("cthead", "cthead.png", "The skin of a scanned head, 256 x 256 x 99 samples", "#d8b9a0")}
+{scene("cthead", "cthead.png", "The skin of a scanned head, 256 x 256 x 99 samples", "#d8b9a0", 0.2)}
 <p>{scan[0]['triangles']:,} triangles in {scan[1]:.1f} s.</p>
 <h2>A plan for five axes, and its simulation</h2>
 <div class="wide"><figure><img src="cuts.svg" alt="The cuts, as lines">

@@ -46,17 +46,13 @@ export class Scene {
     return Math.hypot(1, 1 / Math.tan(Math.PI / 360 * this.camera.fov) / Math.min(1, this.camera.aspect));
   }
 
-  /** The ball about the centre of the model's box that contains the model, so that no turn moves it out of the view. */
-  private ball(): { center: any; radius: number } {
-    const center = new Box3().setFromObject(this.model).getCenter(new Vector3()), corner = new Vector3();
-    let square = 0;
+  private forEachCorner(visit: (corner: any) => void): void {
+    const corner = new Vector3();
     this.model.traverse((each: any) => {
       const corners = each.geometry?.attributes.position;
       for (let i = 0; i < (corners?.count ?? 0); ++i)
-        square = Math.max(square,
-          corner.fromBufferAttribute(corners, i).applyMatrix4(each.matrixWorld).distanceToSquared(center));
+        visit(corner.fromBufferAttribute(corners, i).applyMatrix4(each.matrixWorld));
     });
-    return { center, radius: Math.max(Math.sqrt(square), 1e-3) };
   }
 
   draw(): void {
@@ -69,15 +65,26 @@ export class Scene {
     });
   }
 
-  /** Fits the model to the view with a margin, seen from a corner. */
+  /** Fits the model to the view, seen from a corner: in its middle, and so far away that no turn leads out of it. */
   fit(alpha = 0.6, height = 0.45): void {
-    const ball = this.ball(), far = 1.05 * ball.radius * this.distance();
-    Object.assign(this.camera, { near: far / 100, far: far * 10 });
-    this.camera.updateProjectionMatrix();
-    this.camera.position.set(Math.sin(-alpha) * Math.cos(height), -Math.cos(alpha) * Math.cos(height), Math.sin(height))
-      .multiplyScalar(far).add(ball.center);
-    this.controls.target.copy(ball.center);
-    this.controls.update();
+    const { target } = this.controls, seen = new Box3(), middle = new Vector3();
+    const way = new Vector3(Math.sin(-alpha) * Math.cos(height), -Math.cos(alpha) * Math.cos(height), Math.sin(height));
+    const place = (): void => {
+      let radius = 1e-3;
+      this.forEachCorner((corner) => { radius = Math.max(radius, corner.distanceTo(target)); });
+      const far = 1.05 * radius * this.distance();
+      Object.assign(this.camera, { near: far / 100, far: far * 10 });
+      this.camera.updateProjectionMatrix();
+      this.camera.position.copy(way).multiplyScalar(far).add(target);
+      this.controls.update();
+      this.camera.updateMatrixWorld();
+    };
+    new Box3().setFromObject(this.model).getCenter(target);
+    place();
+    this.forEachCorner((corner) => seen.expandByPoint(corner.project(this.camera)));
+    const { z } = target.clone().project(this.camera);
+    target.copy(seen.getCenter(middle).setZ(z).unproject(this.camera));
+    place();
     this.draw();
   }
 
