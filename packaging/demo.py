@@ -175,7 +175,7 @@ def checks(parts, cells):
 
 def next_steps(out):
     tutorial = os.path.relpath(ROOT / "docs" / "tutorial.md", out)
-    return f"""<h2 id="next">Next</h2>
+    return f"""<h2>Next</h2>
 <ul><li><code>build/release/bin/fieldfab serve</code> designs in the browser, as text or as a graph of nodes.</li>
 <li><code>./dev freecad</code> starts FreeCAD with Fieldfab's workbench: design, plan, simulate.</li>
 <li><a href="{tutorial}">The tutorial</a> makes a bracket that carries a scanned head, from a blank document to the
@@ -189,7 +189,7 @@ def page(out, parts, cells, mill, scan, cut, frames, plate):
 <h1>Fieldfab</h1>
 <p class="lead">Fieldfab makes solids from formulas, CT scans and meshes, and turns them into meshes, pictures and
 machine programs. It is for people who print or mill parts that start from scans, formulas or lattices.</p>
-<p>Everything below was made by its command on this machine; times are whole commands, start to end.</p>
+<p>The <code>fieldfab</code> command made everything below on this machine; times are whole commands, start to end.</p>
 <h2>MTM A-Z, a PCB mill of {len(parts)} parts</h2>
 {scene("mtm_az", "mtm_az.png", "The mill, from prefix math strings")}
 <p>{mill[0]['triangles']:,} triangles in {mill[1]:.1f} s.</p>
@@ -198,7 +198,7 @@ machine programs. It is for people who print or mill parts that start from scans
 <p>{scan[0]['triangles']:,} triangles in {scan[1]:.1f} s.</p>
 <h2>A plan for five axes, and its simulation</h2>
 <div class="wide"><figure><img src="cuts.svg" alt="The cuts, as lines">
-<figcaption>The cuts, from blue, first, to green, last, planned in {t_plan:.1f} s.
+<figcaption>The cuts, in order from blue to green, planned in {t_plan:.1f} s.
 <a href="program.ngc" download>Program</a>, <a href="sheet.html">set-up sheet</a></figcaption></figure>
 <figure data-film="film"><img src="film/frame_{frames:04d}.png" alt="The stock while it is machined">
 <div class="film"><button hidden>Play</button>
