@@ -10,6 +10,7 @@ import html
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -69,17 +70,21 @@ def machine(out, count, voxel):
 
 
 def head(out, voxel):
-    scan = DATA / "ct" / "cthead"
-    fieldfab("render", scan, "-o", out / "cthead.png", "--threshold", 60, "--keep-largest", "--size", 900, "--alpha",
-             35, "--beta", -75)
-    return fieldfab("mesh", scan, "-o", out / "cthead.glb", "--threshold", 60, "--keep-largest", "--voxel", voxel)
+    """Writes the skin of the CT scan as cthead.frep, .glb and .png. The slices run from the crown, at the lowest z, to
+    the neck; half a turn about y sets the head upright, and its face remains in front."""
+    text = out / "cthead.frep"
+    scan = os.path.relpath(DATA / "ct" / "cthead", out)
+    text.write_text(f'rotate_y(open("{scan}", threshold = 60, keep_largest = 1), 180)\n')
+    fieldfab("render", text, "-o", out / "cthead.png", "--size", 900, "--alpha", 35, "--beta", -80)
+    return fieldfab("mesh", text, "-o", out / "cthead.glb", "--voxel", voxel)
 
 
 def machined(out, job, frames, cell):
-    """Plans and simulates a job. Writes its program, a picture of its paths, report, film and final stock."""
-    program = out / "program.ngc"
-    plan, t_plan = fieldfab("cam", job, "-o", program, "--picture", out / "ways.png", "--oblique", "--sheet",
-                            out / "sheet.html")
+    """Plans and simulates a job. Writes its program, a drawing of its cuts, report, film and final stock."""
+    program, cuts = out / "program.ngc", out / "cuts.svg"
+    plan, t_plan = fieldfab("cam", job, "-o", program, "--picture", cuts, "--oblique", "--sheet", out / "sheet.html")
+    # The drawing has the size of the cuts. Rapids, in red, lead out of it.
+    cuts.write_text(re.sub(r'<path stroke="#e12828".*?/>\n', "", cuts.read_text()))
     done, t_done = fieldfab("simulate", program, "--setup", job, "-o", out / "stock.glb", "--report",
                             out / "report.html", "--frames", out / "film", "--frame-count", frames,
                             "--size", 720, "--cell", cell)
@@ -88,8 +93,8 @@ def machined(out, job, frames, cell):
 
 def prospero(out):
     model = DATA / "frep" / "prospero.vm"
-    plane = "--bounds=-1,-1,0,1,1,0"
-    plate = ["--thickness", 0.04, "--bounds=-1.02,-1.02,-0.02,1.02,1.02,0.06", "--resolution", 100]
+    plane = "--bounds=-1.1,-1.1,0,1.1,1.1,0"
+    plate = ["--thickness", 0.04, "--bounds=-1.1,-1.1,-0.02,1.1,1.1,0.06", "--resolution", 100]
     figures = {}
     figures["bitmap, 1024 x 1024"] = fieldfab("render", model, "-o", out / "prospero.png", "--mode", "bitmap", "--size",
                                               1024, plane)[1]
@@ -105,31 +110,33 @@ STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; color: #1c2733; background: #fff;
   max-width: 1080px; margin: 2.5rem auto; padding: 0 1rem }
 h1, h2 { font-weight: 600; letter-spacing: -.01em } h2 { margin-top: 2.5rem } a { color: #0f6a63 }
+.lead { font-size: 1.2rem } .table { overflow-x: auto } summary { cursor: pointer; margin: .6rem }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; width: 100% }
 td, th { padding: .25rem .6rem; text-align: right; border-bottom: 1px solid #dde5ee }
 th:first-child, td:first-child { text-align: left } .pass { color: #1b7f46 } .fail { color: #b3261e; font-weight: 600 }
-figure { margin: 0 } figcaption { font-size: 14px; color: #4d5c6c; margin-top: .3rem }
+figure { margin: 0 0 1rem } figcaption { font-size: 14px; color: #4d5c6c; margin-top: .3rem }
 img { width: 100%; border-radius: 8px; display: block }
-.wide { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 1rem }
-.scene { height: min(560px, 76vh); border-radius: 8px; overflow: hidden;
+.wide { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 1rem;
+  align-items: center }
+.scene { height: min(560px, 76vh, 90vw); border-radius: 8px; overflow: hidden;
   background: radial-gradient(120% 100% at 50% 0, #fff 0, #e9eeee 60%, #d3dcde 100%); cursor: grab }
 .scene:active { cursor: grabbing }
-.scene canvas { width: 100%; height: 100%; display: block; touch-action: pan-y }
-.scene img { height: 100%; object-fit: cover; border-radius: 0 }
-.wide .scene { height: 400px }
+.scene canvas { width: 100%; height: 100%; display: block; touch-action: pan-y !important }
+.scene img { height: 100%; object-fit: contain; border-radius: 0 }
 .film { display: flex; gap: .6rem; align-items: center; margin-top: .4rem } .film input { flex: 1 }
 button { font: inherit; padding: .1rem .8rem }
+@media (max-width: 600px) { table { font-size: 12px } td, th { padding: .25rem .15rem } }
 """
 
 
-def verdict(check):
-    return ('<span class="pass">all bounds hold</span>' if check["passed"]
-            else '<span class="fail">a bound is broken</span>')
+def verdict(passed):
+    return '<span class="pass">✓</span>' if passed else '<span class="fail">a bound is broken</span>'
 
 
-def scene(name, picture, words, colour=None):
-    """Returns HTML of a model that can be rotated; without WebGL or scripts its picture is shown."""
-    return f"""<figure data-model="{name}"{f' data-colour="{colour}"' if colour else ""}>
+def scene(name, picture, words, colour="", height=0.45):
+    """Returns HTML of a model that can be rotated, seen first from an angle above the ground; without WebGL or scripts
+    its picture is shown."""
+    return f"""<figure data-model="{name}" data-colour="{colour}" data-height="{height}">
 <div class="scene" role="img" aria-label="{words}"><img src="{picture}" alt="{words}"></div>
 <figcaption>{words}. Drag to turn; arrow keys and the wheel work once it is clicked.
 <a href="{name}.glb" download>{name}.glb</a></figcaption></figure>"""
@@ -141,39 +148,57 @@ def prospero_told(figures, plate, check):
     return f"""<h2>Prospero, 7866 instructions</h2>
 <div class="wide"><figure><img src="prospero.png" alt="prospero as a bitmap"></figure>
 <figure><img src="prospero_plate.png" alt="prospero as a plate"></figure></div>
-<table>{rows}</table><p>The plate: {plate['triangles']:,} triangles, {verdict(check)}.</p>"""
+<table>{rows}</table><p>The plate has {plate['triangles']:,} triangles. Its check: {verdict(check['passed'])}</p>"""
 
 
-def checks(rows, total, cells):
-    parts = "".join(
-        f"<tr><td>part {i:02d}</td><td>{b['cells']:,}</td><td>{b['bytes'] / b['cells']:.1f}</td><td>{tb:.2f}</td>"
-        f"<td>{m['triangles']:,}</td><td>{tm:.2f}</td><td>{verdict(c)}</td><td>{tc:.2f}</td></tr>"
-        for i, b, tb, m, tm, c, tc in rows
-    )
+def table(rows):
+    def text(value):
+        return f"{value:.2f}" if isinstance(value, float) else f"{value:,}" if isinstance(value, int) else value
+
+    heads = "".join(f"<th>{head}</th>" for head in ("", "cells", "build, s", "triangles", "mesh, s", "check, s", ""))
+    lines = "".join("<tr>" + "".join(f"<td>{text(value)}</td>" for value in row) + "</tr>" for row in rows)
+    return f'<div class="table"><table><tr>{heads}</tr>{lines}</table></div>'
+
+
+def checks(parts, cells):
+    """Returns HTML of the sums over all parts, and of a folded table with a row of each."""
+    rows = [(f"part {i:02d}", build["cells"], t_build, mesh["triangles"], t_mesh, t_check, verdict(check["passed"]))
+            for i, build, t_build, mesh, t_mesh, check, t_check in parts]
+    sums = [sum(column) for column in list(zip(*rows))[1:-1]]
+    passed = sum(part[5]["passed"] for part in parts)
+    total = (f"{len(parts)} parts", *sums, verdict(passed == len(parts)))
     return f"""<h2 id="checks">Each part, checked against OpenVDB and CGAL</h2>
-<p>{cells / 25.4:.0f} cells a mm: {sum(r[1]['cells'] for r in rows):,} cells in {total(2):.1f} s,
-{sum(r[3]['triangles'] for r in rows):,} triangles in {total(4):.1f} s.
-Cross-checked in {total(6):.1f} s: {sum(r[5]['passed'] for r in rows)} of {len(rows)} parts pass every bound.</p>
-<table><tr><th>part</th><th>cells</th><th>bytes a cell</th><th>build, s</th><th>triangles</th><th>mesh, s</th>
-<th>check</th><th>s</th></tr>{parts}</table>"""
+<p>{passed} of {len(parts)} parts pass every bound (✓), at {cells / 25.4:.0f} cells a mm.</p>
+{table([total])}
+<details><summary>Each part</summary>{table(rows)}</details>"""
 
 
-def page(rows, cells, mill, scan, cut, frames, plate):
-    total = lambda column: sum(row[column] for row in rows)  # noqa: E731
-    plan, t_plan, done, t_done = cut
+def next_steps(out):
+    tutorial = os.path.relpath(ROOT / "docs" / "tutorial.md", out)
+    return f"""<h2>Next</h2>
+<ul><li><code>build/release/bin/fieldfab serve</code> designs in the browser, as text or as a graph of nodes.</li>
+<li><code>./dev freecad</code> starts FreeCAD with Fieldfab's workbench: design, plan, simulate.</li>
+<li><a href="{tutorial}">The tutorial</a> makes a bracket that carries a scanned head, from a blank document to the
+machine, in about a quarter of an hour.</li></ul>"""
+
+
+def page(out, parts, cells, mill, scan, cut, frames, plate):
+    _, t_plan, _, t_done = cut
     return f"""<!doctype html><html lang="en"><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>Fieldfab demo</title><style>{STYLE}</style>
-<h1>Fieldfab: a solid from a formula, to the machine</h1>
-<p>Everything on this page was made by the <code>fieldfab</code> command; times are whole commands, start to end.</p>
-<h2>MTM A-Z, a PCB mill of {len(rows)} parts</h2>
+<h1>Fieldfab</h1>
+<p class="lead">Fieldfab makes solids from formulas, CT scans and meshes, and turns them into meshes, pictures and
+machine programs. It is for people who print or mill parts that start from scans, formulas or lattices.</p>
+<p>The <code>fieldfab</code> command made everything below on this machine; times are whole commands, start to end.</p>
+<h2>MTM A-Z, a PCB mill of {len(parts)} parts</h2>
 {scene("mtm_az", "mtm_az.png", "The mill, from prefix math strings")}
 <p>{mill[0]['triangles']:,} triangles in {mill[1]:.1f} s.</p>
 <h2>A head, from a CT scan</h2>
-{scene("cthead", "cthead.png", "The skin of a scanned head, 256 x 256 x 99 samples", "#d8b9a0")}
+{scene("cthead", "cthead.png", "The skin of a scanned head, 256 x 256 x 99 samples", "#d8b9a0", 0.2)}
 <p>{scan[0]['triangles']:,} triangles in {scan[1]:.1f} s.</p>
 <h2>A plan for five axes, and its simulation</h2>
-<div class="wide"><figure><img src="ways.png" alt="The ways of the tools">
-<figcaption>The ways of the tools, planned in {t_plan:.1f} s.
+<div class="wide"><figure><img src="cuts.svg" alt="The cuts, as lines">
+<figcaption>The cuts, in order from blue to green, planned in {t_plan:.1f} s.
 <a href="program.ngc" download>Program</a>, <a href="sheet.html">set-up sheet</a></figcaption></figure>
 <figure data-film="film"><img src="film/frame_{frames:04d}.png" alt="The stock while it is machined">
 <div class="film"><button hidden>Play</button>
@@ -182,7 +207,8 @@ def page(rows, cells, mill, scan, cut, frames, plate):
 <a href="report.html">Report</a></figcaption></figure></div>
 {scene("stock", f"film/frame_{frames:04d}.png", "What is left of the stock")}
 {prospero_told(*plate) if plate else ""}
-{checks(rows, total, cells)}
+{checks(parts, cells)}
+{next_steps(out)}
 <script src="demo.js"></script></html>"""
 
 
@@ -207,7 +233,7 @@ def main(out=OUT, parts=35, cells=127, with_prospero=True, voxel=1, head_voxel=2
     mill, scan, cut = machine(out, parts, voxel), head(out, head_voxel), machined(out, job, frames, cell)
     plate = prospero(out) if with_prospero else None
     with_scripts(out)
-    (out / "index.html").write_text(page(rows, cells, mill, scan, cut, frames, plate))
+    (out / "index.html").write_text(page(out, rows, cells, mill, scan, cut, frames, plate))
     passed = [row[5]["passed"] for row in rows] + ([plate[2]["passed"]] if plate else [])
     print(f"\ndemo: {sum(passed)} of {len(passed)} parts passed their checks, prospero's plate among them; "
           f"see {out}/index.html")

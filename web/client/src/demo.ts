@@ -15,14 +15,14 @@ function modelOf(name: string): Promise<ArrayBuffer> {
 
 async function show(figure: HTMLElement): Promise<void> {
   const host = figure.querySelector<HTMLElement>(".scene")!;
-  const { model, colour } = figure.dataset;
+  const { model, colour, height } = figure.dataset;
   const picture = [...host.children];
   try {
     const scene = new Scene(host);
     scene.model.add(await readGlb(await modelOf(model!), colour));
     for (const each of picture) each.remove();
     host.tabIndex = 0;
-    scene.fit();
+    scene.fit(0.6, Number(height));
     figure.dataset.shown = "yes";
   } catch (error) {  // without WebGL the picture remains
     host.querySelector("canvas")?.remove();

@@ -1,5 +1,5 @@
 // A 3D view of a model, rotated by mouse, touch or keys, drawn by three.js. Lengths are mm, z is up.
-import { AmbientLight, Box3, Color, DirectionalLight, Group, PerspectiveCamera, Scene as World, Sphere, Spherical,
+import { AmbientLight, Box3, Color, DirectionalLight, Group, PerspectiveCamera, Scene as World, Spherical,
   Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
@@ -33,11 +33,26 @@ export class Scene {
   }
 
   private fill(): void {
-    const w = Math.max(1, this.host.clientWidth), h = Math.max(1, this.host.clientHeight);
+    const w = Math.max(1, this.host.clientWidth), h = Math.max(1, this.host.clientHeight), before = this.distance();
     this.renderer.setSize(w, h, false);
     this.camera.aspect = w / h;
     this.camera.updateProjectionMatrix();
+    this.camera.position.sub(this.controls.target).multiplyScalar(this.distance() / before).add(this.controls.target);
     this.draw();
+  }
+
+  /** Distance from which a ball of radius 1 fits the narrower side of the view. */
+  private distance(): number {
+    return Math.hypot(1, 1 / Math.tan(Math.PI / 360 * this.camera.fov) / Math.min(1, this.camera.aspect));
+  }
+
+  private forEachCorner(visit: (corner: any) => void): void {
+    const corner = new Vector3();
+    this.model.traverse((each: any) => {
+      const corners = each.geometry?.attributes.position;
+      for (let i = 0; i < (corners?.count ?? 0); ++i)
+        visit(corner.fromBufferAttribute(corners, i).applyMatrix4(each.matrixWorld));
+    });
   }
 
   draw(): void {
@@ -50,16 +65,26 @@ export class Scene {
     });
   }
 
-  /** Fits the model to the view, seen from a corner. */
+  /** Fits the model to the view, seen from a corner: in its middle, and so far away that no turn leads out of it. */
   fit(alpha = 0.6, height = 0.45): void {
-    const ball = new Box3().setFromObject(this.model).getBoundingSphere(new Sphere()), r = Math.max(ball.radius, 1e-3);
-    const far = r / Math.sin(Math.PI / 180 * this.camera.fov / 2) / Math.min(1, this.camera.aspect);
-    Object.assign(this.camera, { near: far / 100, far: far * 10 });
-    this.camera.updateProjectionMatrix();
-    this.camera.position.set(Math.sin(-alpha) * Math.cos(height), -Math.cos(alpha) * Math.cos(height), Math.sin(height))
-      .multiplyScalar(far).add(ball.center);
-    this.controls.target.copy(ball.center);
-    this.controls.update();
+    const { target } = this.controls, seen = new Box3(), middle = new Vector3();
+    const way = new Vector3(Math.sin(-alpha) * Math.cos(height), -Math.cos(alpha) * Math.cos(height), Math.sin(height));
+    const place = (): void => {
+      let radius = 1e-3;
+      this.forEachCorner((corner) => { radius = Math.max(radius, corner.distanceTo(target)); });
+      const far = 1.05 * radius * this.distance();
+      Object.assign(this.camera, { near: far / 100, far: far * 10 });
+      this.camera.updateProjectionMatrix();
+      this.camera.position.copy(way).multiplyScalar(far).add(target);
+      this.controls.update();
+      this.camera.updateMatrixWorld();
+    };
+    new Box3().setFromObject(this.model).getCenter(target);
+    place();
+    this.forEachCorner((corner) => seen.expandByPoint(corner.project(this.camera)));
+    const { z } = target.clone().project(this.camera);
+    target.copy(seen.getCenter(middle).setZ(z).unproject(this.camera));
+    place();
     this.draw();
   }
 
