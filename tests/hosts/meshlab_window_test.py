@@ -9,7 +9,7 @@ import time
 import pytest
 from freecad_host import screen  # noqa: F401: a fixture
 from meshlab_host import (
-    APPLIED, DEVIATION, REMESH, REPORT, VERSION, Window, cube, figure_eight, sphere, with_holes, write_ply,
+    APPLIED, DEVIATION, REMESH, REPORT, VERSION, Window, figure_eight, sphere, with_holes, write_ply,
 )
 
 SHOTS = os.environ.get("FIELDFAB_SHOTS")

@@ -72,7 +72,7 @@ def test_a_mistake_is_a_line(mistake, report):  # noqa: F811
 
 def test_a_cancel_is_a_line(report, monkeypatch):  # noqa: F811
     document = FreeCAD.newDocument()
-    obj = add(document, frep_solid.FrepSolid, Expression="sphere(r = 5)")
+    add(document, frep_solid.FrepSolid, Expression="sphere(r = 5)")
 
     def stopped(*_):
         raise work.Cancelled()

@@ -55,7 +55,7 @@ def test_tools_are_kept_and_taken_into_a_job(document, table):  # noqa: F811
     assert len(table.setup.Tools) == 7
     new = table.setup.Tools[5]
     assert (new.Number, new.Shape, new.Diameter.Value, new.Angle.Value) == (6, "v", 10, 60)
-    assert cam_tool.described(new) == {**cam_tool.described(table.setup.Tools[1]), "number": 6, "name": new.Label}
+    assert cam_tool.values_of(new) == {**cam_tool.values_of(table.setup.Tools[1]), "number": 6, "name": new.Label}
     library.list.clearSelection()
     library.list.item(0).setSelected(True)
     library.remove()
