@@ -159,7 +159,7 @@ Cross-checked in {total(6):.1f} s: {sum(r[5]['passed'] for r in rows)} of {len(r
 
 
 def page(rows, cells, mill, scan, cut, frames, plate):
-    total = lambda column: sum(row[column] for row in rows)  # noqa: E731
+    total = lambda column: sum(row[column] for row in rows)
     plan, t_plan, done, t_done = cut
     return f"""<!doctype html><html lang="en"><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>Fieldfab demo</title><style>{STYLE}</style>

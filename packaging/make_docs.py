@@ -10,7 +10,7 @@ from typing import Any
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "build" / "release" / "python"))
 
-import fieldfab as ff  # noqa: E402
+import fieldfab as ff
 
 PICTURES = ROOT / "docs" / "figures"
 VIEW: dict[str, Any] = dict(alpha=0.5, beta=-0.95, perspective=0.5, samples=2)

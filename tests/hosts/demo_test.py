@@ -12,7 +12,7 @@ from selenium.webdriver.common.keys import Keys
 from web_server import chromium, wait_until
 
 sys.path.insert(0, str(ROOT / "packaging"))
-import demo  # noqa: E402
+import demo
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from freecad_host import HERE, TIMEOUT, environment, home, screen  # noqa: F401
+from freecad_host import HERE, TIMEOUT, environment, home, screen
 
 
 def test_solid_without_window(home):

@@ -187,7 +187,7 @@ class Models:
         self._kept = collections.OrderedDict()
 
     def of(self, request):
-        made = lambda: make(request["text"], request["language"], request["values"],  # noqa: E731
+        made = lambda: make(request["text"], request["language"], request["values"],
                             request["folder"])
         opened = opened_files(request)
         if opened is None:
