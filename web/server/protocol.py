@@ -149,8 +149,11 @@ def machining_job(value, name):
 
 # {field: (check, default)} of each request; a field without default is required.
 MUST = object()
-MODEL: dict[str, tuple[Any, Any]] = {"text": (text, MUST), "language": (lambda v, n: one_of(v, n, FORMULAS + SCRIPTS), "frep"),
-         "values": (parameter_values, {})}
+MODEL: dict[str, tuple[Any, Any]] = {
+    "text": (text, MUST),
+    "language": (lambda v, n: one_of(v, n, FORMULAS + SCRIPTS), "frep"),
+    "values": (parameter_values, {}),
+}
 VIEW: dict[str, tuple[Any, Any]] = {
     "mode": (lambda v, n: one_of(v, n, MODES), "shaded"),
     "alpha": (number, 0.5),
