@@ -5,14 +5,15 @@ that are out of date."""
 import pathlib
 import sys
 import tempfile
+from typing import Any
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "build" / "release" / "python"))
 
-import fieldfab as ff  # noqa: E402
+import fieldfab as ff
 
 PICTURES = ROOT / "docs" / "figures"
-VIEW = dict(alpha=0.5, beta=-0.95, perspective=0.5, samples=2)
+VIEW: dict[str, Any] = dict(alpha=0.5, beta=-0.95, perspective=0.5, samples=2)
 DISTANCES = {"exact": "exact", "bound": "bound", "neither": "–", "": ""}
 
 

@@ -11,9 +11,8 @@ import sys
 SECONDS = 240
 
 
-def no_page(reason):
-    print(f"the page of `fieldfab serve` is not built: {reason}")
-    sys.exit(0)
+class Missing(Exception):
+    """npm, or a package from its registry, is missing."""
 
 
 def run(words, folder):
@@ -21,30 +20,30 @@ def run(words, folder):
         return subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=SECONDS,
                               stdin=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
-        no_page(f"{words[0]} did not end within {SECONDS} s")
+        raise Missing(f"{words[0]} did not end within {SECONDS} s") from None
 
 
 def install(client, work):
-    """Installs the packages unless they match the lock file."""
+    """Installs the packages of the lock file in `client` into `work` unless they are there. Raises Missing."""
     lock = (client / "package-lock.json").read_bytes()
     installed = work / "installed-lock.json"
     if installed.exists() and installed.read_bytes() == lock:
         return
     npm = shutil.which("npm")
     if npm is None:
-        no_page("there is no npm (./dev setup)")
+        raise Missing("there is no npm (./dev setup)")
     work.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
         shutil.copy(client / name, work / name)
     done = run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--prefer-offline", "--fetch-retries=1"],
                work)
     if done.returncode != 0:
-        no_page("npm ci: " + next((line for line in done.stderr.splitlines() if "error" in line.lower()), "it failed"))
+        raise Missing("npm ci: " + next((line for line in done.stderr.splitlines() if "error" in line.lower()),
+                                        "it failed"))
     installed.write_bytes(lock)
 
 
-def main():
-    client, work, page = (pathlib.Path(each).resolve() for each in sys.argv[1:])
+def build(client, work, page):
     install(client, work)
     fresh = work / "page"
     shutil.rmtree(fresh, ignore_errors=True)
@@ -74,4 +73,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        build(*(pathlib.Path(each).resolve() for each in sys.argv[1:]))
+    except Missing as reason:
+        print(f"the page of `fieldfab serve` is not built: {reason}")

@@ -23,7 +23,7 @@ from .words import tr
 _for_the_user = functools.partial(in_a_line, dialog=True)
 
 
-def open(filename):  # noqa: A001: the name that FreeCAD calls
+def open(filename):  # the name that FreeCAD calls
     """Returns a new document with the file's solid."""
     return insert(filename, "")
 

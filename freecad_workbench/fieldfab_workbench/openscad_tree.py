@@ -5,6 +5,7 @@ import dataclasses
 import heapq
 import itertools
 import os
+from collections.abc import Callable
 
 import FreeCAD
 
@@ -36,7 +37,7 @@ class Part:
     placement: FreeCAD.Placement = dataclasses.field(default_factory=FreeCAD.Placement)
     colour: tuple = None  # red, green, blue and opacity
     highlight: bool = False
-    origin: callable = None  # function that returns its text without the placement
+    origin: Callable = None  # function that returns its text without the placement
 
     def walk(self):
         """Yields the part and all its descendants."""

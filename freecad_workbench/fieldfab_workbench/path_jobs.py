@@ -77,7 +77,7 @@ def _controller(job, tool, section):
     for controller in job.Tools.Group:
         if controller.ToolNumber == tool.Number:
             return controller
-    told = cam_tool.described(tool)
+    told = cam_tool.values_of(tool)
     lengths = {"Diameter": "diameter", "Length": "length", "ShankDiameter": "shank", "CuttingEdgeHeight": "flute"}
     parameter = {name: f"{told[ours]} mm" for name, ours in lengths.items() if ours in told}
     if tool.Shape == "bull":

@@ -27,7 +27,7 @@ def own_exporter(filename):
     return importlib.import_module("ImportGui" if name == "Import" and FreeCAD.GuiUp else name)
 
 
-def exportOptions(filename):  # noqa: N802: the name that FreeCAD calls
+def exportOptions(filename):  # the name that FreeCAD calls
     """Returns the options that FreeCAD's own dialog asks for."""
     asked = getattr(own_exporter(filename), "exportOptions", None)
     return asked(filename) if asked else {}

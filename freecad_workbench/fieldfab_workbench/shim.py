@@ -4,7 +4,9 @@ PySide6 follows FreeCAD's sources."""
 try:
     from PySide2 import QtCore, QtGui, QtSvg, QtWidgets
 except ImportError:
-    from PySide6 import QtCore, QtGui, QtSvg, QtWidgets  # noqa: F401
+    from PySide6 import QtCore, QtGui, QtSvg, QtWidgets
+
+__all__ = ["QtCore", "QtGui", "QtSvg", "QtWidgets", "flags"]
 
 
 def flags(value):

@@ -8,7 +8,7 @@
 import sys
 
 from . import _core
-from ._core import *  # noqa: F401,F403: the module is the package's whole interface
+from ._core import *  # the module is the package's whole interface
 from ._core import Error, __version__, cam, language, shapes, stock
 
 __all__ = [name for name in vars(_core) if not name.startswith("_")]

@@ -8,8 +8,10 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import cam as cam
 from . import language as language
 from . import shapes as shapes
+from . import stock as stock
 
 __version__: str
 
@@ -21,6 +23,7 @@ Vector = Sequence[float]
 Region = tuple[float, float, float, float, float, float]
 Bounds = Sequence[float] | Sequence[Sequence[float]]
 FloatArray = NDArray[np.float32]
+Array = NDArray[Any] | Sequence[Any]
 Path = str | os.PathLike[str]
 Progress = Callable[[float, str], bool | None]
 
@@ -105,7 +108,11 @@ class Solid:
     @overload
     def __call__(self, x: float, y: float, z: float) -> float: ...
     @overload
-    def __call__(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray: ...
+    def __call__(self, x: Array, y: ArrayLike, z: ArrayLike) -> FloatArray: ...
+    @overload
+    def __call__(self, x: float, y: Array, z: ArrayLike) -> FloatArray: ...
+    @overload
+    def __call__(self, x: float, y: float, z: Array) -> FloatArray: ...
     def __eq__(self, other: object) -> bool: ...
     def __hash__(self) -> int: ...
     def __invert__(self) -> Solid: ...

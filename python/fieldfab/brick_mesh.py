@@ -86,12 +86,12 @@ class Seams:
 
 def open_edges(seams):
     """Counts the edges between two vertices of seams that no second triangle has in the other direction."""
-    edges = []
+    found = []
     for _, triangles, on_seam in seams.parts():
         for a, b in ((0, 1), (1, 2), (2, 0)):
             both = on_seam[:, a] & on_seam[:, b]
-            edges.append(triangles[both][:, [a, b]])
-    edges = np.concatenate(edges)
+            found.append(triangles[both][:, [a, b]])
+    edges = np.concatenate(found)
     there = np.sort(edges[:, 0] << 32 | edges[:, 1])
     back = np.sort(edges[:, 1] << 32 | edges[:, 0])
     return len(np.setxor1d(there, back)) + int((there[1:] == there[:-1]).sum())

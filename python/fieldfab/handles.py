@@ -4,6 +4,7 @@ A point of the surface f(x, p) = 0 moves along its normal by v = -(df/dp) / |gra
 Points that all move like a translation, v = n . d, are moved by the number: the handle is in their middle, along d.
 Otherwise the number is a size, and the handle is on the face that moves fastest."""
 
+import dataclasses
 import typing
 
 import numpy as np
@@ -32,7 +33,8 @@ class Number(typing.NamedTuple):
     name: str = ""  # of a parameter
 
 
-class Handle(typing.NamedTuple):
+@dataclasses.dataclass(frozen=True)
+class Handle:
     """A number's arrow: it is `at` (mm) now, and moves along the unit vector `along` by `rate` mm for each unit that
     the number grows. `index`: of the number among numbers()."""
 

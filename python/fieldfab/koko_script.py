@@ -9,6 +9,7 @@ import operator
 import re
 import sys
 import types
+from typing import Any
 
 from . import kokopelli, kokopelli_pcb, python2, python2_names
 from . import shapes as s
@@ -102,10 +103,14 @@ def _limit_property(axis, side):
     return property(lambda cad: cad._limit(axis, side), put)
 
 
+def _size_property(axis):
+    return property(lambda cad: cad._size(axis))
+
+
 for _i, _name in enumerate(AXES):
     setattr(Cad, _name + "min", _limit_property(_i, 0))
     setattr(Cad, _name + "max", _limit_property(_i, 1))
-    setattr(Cad, "d" + _name, property(lambda cad, axis=_i: cad._size(axis)))
+    setattr(Cad, "d" + _name, _size_property(_i))
 
 
 def _checked(value):
@@ -124,7 +129,7 @@ HEADER = re.compile(r"\A\s*##    Geometry header    ##\n(.*?)\n##    End of geom
 class Handle:
     """A handle of the geometry header. Its parameters are formulas, which may refer to other handles."""
 
-    DEFAULTS = {"x": 0, "y": 0}
+    DEFAULTS: dict[str, float | str] = {"x": 0, "y": 0}  # numbers or formulas
 
     def __init__(self, name="point", **formulas):
         self.name, self.formulas, self._others = name, {**self.DEFAULTS, **formulas}, {}
@@ -162,12 +167,19 @@ class Line(Handle):
 HANDLES = {"koko.prims.points.Point": Point, "koko.prims.utils.Slider": Slider, "koko.prims.lines.Line": Line}
 
 
+def _elements(node):
+    """Returns the nodes of a list or tuple. Raises ValueError for other expressions."""
+    if not isinstance(node, (ast.List, ast.Tuple)):
+        raise ValueError(f"'{ast.unparse(node)}' is not a list")
+    return node.elts
+
+
 def handles_of(header):
     """Returns the handles of a geometry header by name. Parses the header; does not execute it."""
     made = {}
     try:
-        for pair in ast.parse(header.strip(), mode="eval").body.elts:
-            kind, parameters = pair.elts
+        for pair in _elements(ast.parse(header.strip(), mode="eval").body):
+            kind, parameters = _elements(pair)
             handle = HANDLES[ast.unparse(kind)](**ast.literal_eval(parameters))
             made[handle.name] = handle
     except (SyntaxError, ValueError, TypeError, AttributeError, KeyError) as error:
@@ -182,13 +194,14 @@ def handles_of(header):
 
 def _modules(python2_math):
     """Returns kokopelli's modules for scripts, by name."""
-    shapes = {name: getattr(kokopelli, name) for name in kokopelli.__all__}
+    shapes: dict[str, Any] = {name: getattr(kokopelli, name) for name in kokopelli.__all__}
     shapes.update(X=MathTree.X(), Y=MathTree.Y(), Z=MathTree.Z(), math=python2_math)
     flat = {name: value for name, value in shapes.items() if name != "text"}
-    boards = {name: value for name, value in vars(kokopelli_pcb).items() if isinstance(value, type)}
+    boards: dict[str, Any] = {
+        name: value for name, value in vars(kokopelli_pcb).items() if isinstance(value, type)}
     boards.update({name: getattr(math, name) for name in ("cos", "sin", "atan2", "radians", "degrees", "sqrt")},
                   operator=operator, text=kokopelli.text)
-    contents = {
+    contents: dict[str, dict[str, Any]] = {
         "koko": {}, "koko.lib": {}, "koko.fab": {}, "koko.prims": {},
         "koko.lib.shapes2d": flat, "koko.lib.shapes3d": flat, "koko.lib.shapes": flat, "koko.lib.text": shapes,
         "koko.lib.pcb": boards,
@@ -206,7 +219,7 @@ def _modules(python2_math):
         outer, _, inner = name.rpartition(".")
         if outer:
             setattr(modules[outer], inner, module)
-    modules["koko.lib.pcb"].s2d = modules["koko.lib.shapes2d"]
+    vars(modules["koko.lib.pcb"])["s2d"] = modules["koko.lib.shapes2d"]
     return modules
 
 

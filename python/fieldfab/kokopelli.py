@@ -285,7 +285,8 @@ def _scaled(part, origin, sizes):
 
     def forward(*point):
         return [o + s * (p - o) for o, s, p in zip(origin, sizes_at(*point), point)]
-    return _placed(_about(part, *origin, lambda s: _s.scale_xyz(s, *sizes_at(X, Y, Z))), part, forward)
+    x0, y0, z0 = origin
+    return _placed(_about(part, x0, y0, z0, lambda s: _s.scale_xyz(s, *sizes_at(X, Y, Z))), part, forward)
 
 
 def scale_x(part, x0, sx):

@@ -59,6 +59,11 @@ class BoundPin:
     y = property(lambda self: self._place()[1])
 
 
+def _placed(place) -> Point | BoundPin:
+    """Returns a pin as it is, and coordinates as a point."""
+    return place if isinstance(place, BoundPin) else Point(*place)
+
+
 class Component:
     """A component at (x, y), rotated by `rot` degrees; its class defines `pins`. component["GND"] is a pin by name,
     component[1] the first pin.
@@ -99,7 +104,7 @@ class Connection:
 
     def __init__(self, width, *points):
         self.width = width
-        self.points = [each if isinstance(each, BoundPin) else Point(*each) for each in points]
+        self.points = [_placed(each) for each in points]
 
     @property
     def traces(self):
@@ -130,7 +135,7 @@ class PCB:
 
     def _connect(self, points, width, corner):
         """Returns a trace; `corner` computes the point between two pins."""
-        points = [each if isinstance(each, BoundPin) else Point(*each) for each in points]
+        points = [_placed(each) for each in points]
         through = []
         for a, b in zip(points[:-1], points[1:]):
             through.append(a)

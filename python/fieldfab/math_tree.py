@@ -118,7 +118,7 @@ class MathTree(Solid):
             formula = plain(each) if each is not None else (_core.X, _core.Y, _core.Z)[i]
             used = [name in re.findall(r"[a-z]\w*", str(formula)) for name in "xyz"]
             missing = any(u and not k for u, k in zip(used, known))
-            found += [None, None] if missing else list(Solid(formula).interval(box))
+            found += (None, None) if missing else Solid(formula).interval(box)
         return found
 
     # Sets, and arithmetic

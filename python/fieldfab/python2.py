@@ -328,7 +328,9 @@ class _Tree(ast.NodeTransformer):
         return [each.arg for each in node.args.args if each.arg in self.taken]
 
     def _target(self, name):
-        return ast.parse(self.taken[name] + " = 0").body[0].targets[0]
+        (assignment,) = ast.parse(self.taken[name] + " = 0").body
+        assert isinstance(assignment, ast.Assign)
+        return assignment.targets[0]
 
 
 def compiled(text, filename):

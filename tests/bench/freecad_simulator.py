@@ -15,10 +15,10 @@ import numpy as np
 import fieldfab as ff
 
 sys.path.append("/usr/lib/freecad-python3/lib")
-import FreeCAD  # noqa: E402
-import Part  # noqa: E402
-import Path  # noqa: E402
-import PathSimulator  # noqa: E402
+import FreeCAD
+import Part
+import Path
+import PathSimulator
 
 CELL, RADIUS, REPEATS = 0.1, 3.0, 3
 

@@ -17,7 +17,7 @@ import aiohttp
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
-from web_balancer import TOKEN, Balanced  # noqa: E402
+from web_balancer import TOKEN, Balanced
 
 CLIENTS = 8
 TEXT = (ROOT / "examples" / "bracket.frep").read_text()

@@ -13,9 +13,9 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
-from web_server import Server, Socket  # noqa: E402
+from web_server import Server, Socket
 
-import fieldfab as ff  # noqa: E402: after the tests' conftest, which finds the build
+import fieldfab as ff  # after the tests' conftest, which finds the build
 
 DATA = ROOT / "tests" / "data" / "frep"
 BETWEEN = 0.3  # seconds of rest after a fine picture

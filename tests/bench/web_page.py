@@ -13,8 +13,8 @@ import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
-from conftest import BUILD  # noqa: E402
-from web_server import Server, chromium  # noqa: E402
+from conftest import BUILD
+from web_server import Server, chromium
 
 SHOWN = "return document.querySelector('#picture')?.dataset.shown ? performance.now() : 0"
 

@@ -92,7 +92,7 @@ def test_a_mesh_is_that_of_one_process_though_a_worker_is_killed(engine, tmp_pat
     out = tmp_path / "mesh.ply"
     running = subprocess.Popen([*PYTHON, engine / "engine.asdf", "-o", out, "--workers", "3", "--cells", "64"],
                                env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    made = lambda: len(list(tmp_path.glob(".mesh.ply.*/tiles/?-*-?.npz")))  # noqa: E731
+    made = lambda: len(list(tmp_path.glob(".mesh.ply.*/tiles/?-*-?.npz")))
     until = time.monotonic() + 60
     while made() < 3 and running.poll() is None and time.monotonic() < until:
         time.sleep(0.01)

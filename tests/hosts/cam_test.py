@@ -7,7 +7,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import COMMAND, DATA
+from conftest import COMMAND
 
 import fieldfab as ff
 import rs274

@@ -16,7 +16,7 @@ from simulate_report_test import read_png
 from web_server import chromium, wait_until
 
 sys.path.insert(0, str(ROOT / "packaging"))
-import demo  # noqa: E402
+import demo
 
 MODELS = ("mtm_az", "cthead", "stock")
 WIDE, NARROW = (1400, 900), (390, 844)

@@ -22,7 +22,7 @@ import numpy as np
 import pytest
 from conftest import BUILD, COMMAND, ROOT
 from documents import COMMAND_IN_PROSE, DOCUMENTS, NAME_OF_VERB, code_of
-from freecad_host import screen  # noqa: F401: a fixture
+from freecad_host import screen
 from programs import need
 
 import fieldfab as ff
@@ -268,7 +268,7 @@ def test_command(place, folders):
         run(command, folder)
 
 
-def window_on(screen, title):  # noqa: F811
+def window_on(screen, title):
     """Returns the width of the largest window with that title, or 0."""
     search = ["xdotool", "search", "--onlyvisible", "--name", title, "getwindowgeometry", "--shell", "%@"]
     said = subprocess.run(search, env={**os.environ, "DISPLAY": screen}, capture_output=True, text=True).stdout
@@ -276,7 +276,7 @@ def window_on(screen, title):  # noqa: F811
 
 
 @each_of([each for each in TO_RUN if opens_a_window(each.command)])
-def test_command_opens_its_window(place, folders, screen):  # noqa: F811
+def test_command_opens_its_window(place, folders, screen):
     folder, end = folders(place.document), time.monotonic() + SECONDS
     [command] = forms(place.text)
     for name in given_in(command):
@@ -323,7 +323,7 @@ QtCore.QTimer.singleShot(1000, look)
 """
 
 
-def test_dev_freecad_has_the_workbench_chosen(folders, screen):  # noqa: F811
+def test_dev_freecad_has_the_workbench_chosen(folders, screen):
     """FreeCAD starts, shows its start page, saves its settings and ends. The user's own settings are unchanged."""
     folder = folders("README.md")
     (folder / "probe.py").write_text(PROBE)
@@ -415,7 +415,7 @@ def test_design(place, tmp_path):
 
 
 @of_language("xml")
-def test_script_of_meshlab(place, tmp_path, screen):  # noqa: F811
+def test_script_of_meshlab(place, tmp_path, screen):
     (tmp_path / "script.mlx").write_text(place.text)
     run(f"'{BUILD}/meshlab/meshlabserver' -i part.ply -o remeshed.ply -s script.mlx", tmp_path, DISPLAY=screen)
 

@@ -18,7 +18,7 @@ import faults
 import numpy as np
 import pytest
 from conftest import BUILD, COMMAND
-from freecad_host import screen  # noqa: F401: a fixture
+from freecad_host import screen
 from programs import need
 
 OLD = b"the old file"
@@ -481,7 +481,7 @@ def interrupted(words, folder, seconds, number=signal.SIGINT):
     temporary = folder.parent / "tmp"
     temporary.mkdir(exist_ok=True)
     # nohup leaves one of them ignored.
-    taken = lambda: [signal.signal(each, signal.SIG_DFL) for each in (signal.SIGINT, signal.SIGHUP)]  # noqa: E731
+    taken = lambda: [signal.signal(each, signal.SIG_DFL) for each in (signal.SIGINT, signal.SIGHUP)]
     process = subprocess.Popen([COMMAND, *words], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                preexec_fn=taken,
                                env={**os.environ, "TMPDIR": str(temporary)})
@@ -579,7 +579,7 @@ def test_what_is_started_ends_with_the_one_that_started_it(how, folder):
 
 
 @pytest.mark.parametrize("host", ["meshlab", "edit"])
-def test_what_a_window_starts_ends_with_it(host, folder, screen):  # noqa: F811
+def test_what_a_window_starts_ends_with_it(host, folder, screen):
     """OpenSCAD, at work for MeshLab or for the edit window, ends with them, even if they are killed."""
     need("openscad")
     (folder / "endless.scad").write_text("function f(n) = n < 1 ? 1 : f(n - 1) + f(n - 1); echo(f(40)); cube(f(40));")

@@ -5,6 +5,7 @@ import json
 import struct
 import subprocess
 import zlib
+from collections.abc import Callable
 
 import pytest
 from conftest import COMMAND
@@ -63,7 +64,7 @@ GOOD = {
     "normals.obj": obj_text(index=lambda i: f"{i + 1}//1"),
 }
 FAR = [*QUADS[:-1], (1, 3, 7, 8)]  # vertex 8 does not exist
-TEXTS = {"stl": stl_text, "ply": ply_text, "off": off_text, "obj": obj_text}
+TEXTS: dict[str, Callable[..., bytes]] = {"stl": stl_text, "ply": ply_text, "off": off_text, "obj": obj_text}
 BAD = {f"{word}.{extension}": text([(word, 0, 0), *CORNERS[1:]])
        for extension, text in TEXTS.items() for word in ("what", "nan", "inf", "1e39")}
 BAD |= {f"far.{extension}": text(quads=FAR) for extension, text in TEXTS.items() if extension != "stl"}

@@ -11,7 +11,7 @@ import time
 
 import pytest
 
-from freecad_host import HERE, environment, home  # noqa: F401
+from freecad_host import HERE, environment, home
 
 SECONDS = 35  # duration of the test
 MOMENTS = {"saving": 0.15, "making": 0.3}  # longest duration of each, seconds

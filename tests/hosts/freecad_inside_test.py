@@ -1,7 +1,7 @@
 """The workbench, tested from inside the real FreeCAD: inside_*.py without a window, window_*.py in its window."""
 
 import pytest
-from freecad_host import HERE, home, run_inside, screen  # noqa: F401
+from freecad_host import HERE, home, run_inside, screen
 from programs import need
 
 FOLDER = HERE / "freecad"

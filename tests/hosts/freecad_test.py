@@ -3,7 +3,6 @@
 import json
 import math
 import os
-import pathlib
 import shutil
 import signal
 import subprocess
@@ -11,7 +10,7 @@ import time
 
 import pytest
 
-from freecad_host import HERE, TIMEOUT, environment, home, screen  # noqa: F401
+from freecad_host import HERE, TIMEOUT, environment, home, screen
 
 
 def test_solid_without_window(home):

@@ -8,8 +8,8 @@ import pytest
 from conftest import BUILD
 
 sys.path.insert(0, str(BUILD / "python"))
-from fieldfab import Error, parse  # noqa: E402
-from fieldfab.handles import handles, numbers, with_number, written  # noqa: E402
+from fieldfab import Error, parse
+from fieldfab.handles import handles, numbers, with_number, written
 
 
 def of(text):

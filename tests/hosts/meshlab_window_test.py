@@ -7,9 +7,9 @@ import re
 import time
 
 import pytest
-from freecad_host import screen  # noqa: F401: a fixture
+from freecad_host import screen
 from meshlab_host import (
-    APPLIED, DEVIATION, REMESH, REPORT, VERSION, Window, cube, figure_eight, sphere, with_holes, write_ply,
+    APPLIED, DEVIATION, REMESH, REPORT, VERSION, Window, figure_eight, sphere, with_holes, write_ply,
 )
 
 SHOTS = os.environ.get("FIELDFAB_SHOTS")
@@ -22,7 +22,7 @@ def shot(tmp_path):
 
 
 @pytest.fixture
-def open_window(tmp_path, screen):  # noqa: F811
+def open_window(tmp_path, screen):
     windows = []
 
     def start(*files):

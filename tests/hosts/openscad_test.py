@@ -6,7 +6,6 @@ import signal
 import subprocess
 import time
 
-import numpy as np
 import openscad_designs
 import pytest
 from conftest import COMMAND, DATA

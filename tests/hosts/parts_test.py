@@ -129,7 +129,7 @@ def test_names_and_colours_are_in_each_format(tmp_path, model):
 def test_an_obj_file_and_its_materials_are_both_kept_when_one_cannot_be_written(tmp_path, model):
     for name in ("out.obj", "out.mtl"):
         (tmp_path / name).write_text(f"old {name}")
-    small = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))  # noqa: E731: enough for the materials only
+    small = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))  # enough for the materials only
     done = run("mesh", model, "-o", tmp_path / "out.obj", "--voxel", 2, preexec_fn=small)
     assert done.returncode == 2 and "out.obj: cannot write: File too large" in done.stderr
     assert [(tmp_path / name).read_text() for name in ("out.obj", "out.mtl")] == ["old out.obj", "old out.mtl"]

@@ -236,7 +236,6 @@ def test_rapids_through_stock_are_found_at_their_line(program):
 @pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_missing_retracts_are_found(program):
     """Without a retract the next rapid crosses material. (With rotary axes, machine z is not a height.)"""
-    rng = random.Random(3)
     candidates = [i for i in range(len(program.lines) - 1)
                   if re.fullmatch(r"G0 Z[\d.]+", program.lines[i]) and program.tool[i] == 1
                   and re.match(r"G0 X", program.lines[i + 1]) and program.at[i - 1].get("Z", 9) < -3]

@@ -96,7 +96,7 @@ def test_blocks_of_values_that_are_larger_than_their_memory(tmp_path):
     path = tmp_path / "a.vdb"
     openvdb.write(str(path), grids=[ball("ball")])
     whole = path.read_bytes()
-    number = lambda at: int.from_bytes(whole[at:at + 8], "little", signed=True)  # noqa: E731
+    number = lambda at: int.from_bytes(whole[at:at + 8], "little", signed=True)
     sizes = [at for at in range(len(whole) - 8) if 16 < number(at) < 20000 and at + 8 + number(at) <= len(whole)]
     codes = set()
     for at in random.Random(1).sample(sizes, 24):

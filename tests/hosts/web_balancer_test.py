@@ -10,7 +10,7 @@ import aiohttp
 import pytest
 from selenium.webdriver.common.keys import Keys
 from web_balancer import TOKEN, Balanced
-from web_page import Page, browser  # noqa: F401: a fixture
+from web_page import Page, browser
 from web_server import wait_until
 
 BEARER = {"Authorization": f"Bearer {TOKEN}"}
@@ -139,7 +139,7 @@ def test_one_is_killed_under_load(balanced):
     assert sum(not name.startswith(".") for name in left) == len(clients) and len(left) <= len(clients) + 1, left
 
 
-def test_the_page_goes_on(browser, balanced):  # noqa: F811
+def test_the_page_goes_on(browser, balanced):
     """A page loses its server while its user types: the other server takes its text, and shows it."""
     (balanced.documents / "part.frep").write_text("circle(3)\n")
     page = Page(browser, [balanced])

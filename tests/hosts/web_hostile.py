@@ -112,7 +112,7 @@ async def polite(server, end, waited, refusals):
                                    "coarse": True})
                 # Awaited within the iteration, so that `number` is unchanged.
                 answers = await socket.until(
-                    lambda told: told["type"] != "parameters" and told["number"] == number)  # noqa: B023
+                    lambda told: told["type"] != "parameters" and told["number"] == number)
                 number += 1
                 if answers[-1][0]["type"] == "error":
                     refusals.append(answers[-1][0]["message"])

@@ -15,7 +15,7 @@ import aiohttp
 import numpy as np
 import pytest
 from conftest import COMMAND
-from web_server import Server, Socket, folder, pixels, refused, server, wait_until  # noqa: F401: fixtures
+from web_server import Server, Socket, folder, pixels, refused, server, wait_until
 
 import fieldfab as ff
 from fieldfab.serve import files, limits, pictures

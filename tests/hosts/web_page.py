@@ -8,7 +8,6 @@ import time
 import pytest
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
-from selenium.webdriver.common.keys import Keys
 from web_server import Server, chromium
 
 SECONDS = 40  # time limit of each step on a busy machine

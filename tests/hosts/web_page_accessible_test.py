@@ -6,7 +6,7 @@ import pytest
 from conftest import BUILD
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from web_page import CIRCLE, POINT, browser, folder, page, server, set_value, sheet  # noqa: F401
+from web_page import CIRCLE, POINT, browser, folder, page, server, set_value, sheet
 
 import fieldfab as ff
 

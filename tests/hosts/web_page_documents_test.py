@@ -12,7 +12,7 @@ import numpy as np
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from web_page import Page, browser, folder, page, server, set_value, sheet  # noqa: F401
+from web_page import Page, browser, folder, page, server, set_value, sheet
 from web_server import Server, chromium
 
 import fieldfab as ff
@@ -337,7 +337,7 @@ def test_share_copies_a_link_and_tells_where_it_leads(page, folder):
     page.settled()
     page.browser.execute_cdp_cmd("Browser.grantPermissions", {"permissions": ["clipboardReadWrite"]})
     page.find("#share").click()
-    told = lambda: page.text("#notice") + page.text("#question-words")  # noqa: E731
+    told = lambda: page.text("#notice") + page.text("#question-words")
     page.until(lambda: "A link that holds this model" in told(), "the link")
     assert "It names this machine (127.0.0.1:" in told()
     link = (page.find("#question-text").get_attribute("value") if page.find("#question").is_displayed()

@@ -9,7 +9,7 @@ import numpy as np
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from web_page import CIRCLE, POINT, browser, folder, nodes_of, page, server, set_value, sheet  # noqa: F401
+from web_page import CIRCLE, POINT, browser, folder, nodes_of, page, server, set_value, sheet
 
 
 def focused(page):

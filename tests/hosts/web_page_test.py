@@ -15,7 +15,7 @@ from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from volume_test import dicom
-from web_page import CIRCLE, POINT, browser, folder, nodes_of, page, server, set_value, sheet  # noqa: F401
+from web_page import CIRCLE, POINT, browser, folder, nodes_of, page, server, set_value, sheet
 from web_server import Server
 
 import fieldfab as ff

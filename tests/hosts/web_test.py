@@ -23,7 +23,7 @@ import web_hostile
 from conftest import BUILD, COMMAND
 from rs274 import moves_of_program
 from volume_test import dicom, tiff
-from web_server import Server, Socket, children, folder, pixels, refused, server, wait_until  # noqa: F401: fixtures
+from web_server import Server, Socket, children, folder, pixels, refused, server, wait_until
 
 import fieldfab as ff
 from fieldfab.serve.processes import Pool, Refused

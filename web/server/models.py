@@ -89,11 +89,11 @@ def refuse_files_elsewhere(text, root, folder=None, seen=()):
     folder = folder or root
     tokens, data = ff.language.tokens(text), text.encode()
     words = [data[each.offset : each.offset + each.length] for each in tokens]
-    tokens = [(each, word) for each, word in zip(tokens, words) if each.kind != "comment"]
-    for i, (token, word) in enumerate(tokens):
+    read = [(each, word) for each, word in zip(tokens, words) if each.kind != "comment"]
+    for i, (token, word) in enumerate(read):
         if token.kind != "name" or word != b"open":
             continue
-        following = tokens[i + 1 : i + 3]
+        following = read[i + 1 : i + 3]
         name = (following[1][1] if len(following) == 2 and following[0][1] == b"(" and following[1][0].kind == "string"
                 else b"\\")
         place = {"line": token.line, "column": token.column, "offset": utf16(data, token.offset), "length": 4}
@@ -187,7 +187,7 @@ class Models:
         self._kept = collections.OrderedDict()
 
     def of(self, request):
-        made = lambda: make(request["text"], request["language"], request["values"],  # noqa: E731
+        made = lambda: make(request["text"], request["language"], request["values"],
                             request["folder"])
         opened = opened_files(request)
         if opened is None:

@@ -1,9 +1,11 @@
 """OpenAPI 3 description of the requests, generated from the tables that check them."""
 
+from typing import Any
+
 from . import protocol
 from .limits import LIMITS
 
-KINDS = {
+KINDS: dict[str, dict[str, Any]] = {
     "text": {"type": "string", "maxLength": LIMITS.text},
     "values": {"type": "object", "additionalProperties": {"type": "number"}},
     "section": {"type": "object", "nullable": True, "properties": {
@@ -48,7 +50,8 @@ def description():
              "pick": "what a place of a picture shows",
              "parameters": "parameters of a text and their ranges", "words": "names that fit at a place of a text",
              "scan": "size, histogram and thresholds of a scan"}
-    paths = {f"/api/{do}": {"post": {**said(summary), "requestBody": body_of(do)}} for do, summary in posts.items()}
+    paths: dict[str, dict[str, Any]] = {
+        f"/api/{do}": {"post": {**said(summary), "requestBody": body_of(do)}} for do, summary in posts.items()}
     paths["/api/picture"] = {"post": {**said("a picture", kind="image/png"), "requestBody": body_of("picture")}}
     paths["/api/files"] = {"post": {**said("a job that writes a file", "202"), "requestBody": body_of("file")}}
     paths["/api/machining"] = {"get": said("the tables of machines, operations and their settings")}

@@ -2,6 +2,7 @@
 
 import math
 import re
+from typing import Any
 
 import fieldfab as ff
 
@@ -148,9 +149,12 @@ def machining_job(value, name):
 
 # {field: (check, default)} of each request; a field without default is required.
 MUST = object()
-MODEL = {"text": (text, MUST), "language": (lambda v, n: one_of(v, n, FORMULAS + SCRIPTS), "frep"),
-         "values": (parameter_values, {})}
-VIEW = {
+MODEL: dict[str, tuple[Any, Any]] = {
+    "text": (text, MUST),
+    "language": (lambda v, n: one_of(v, n, FORMULAS + SCRIPTS), "frep"),
+    "values": (parameter_values, {}),
+}
+VIEW: dict[str, tuple[Any, Any]] = {
     "mode": (lambda v, n: one_of(v, n, MODES), "shaded"),
     "alpha": (number, 0.5),
     "beta": (lambda v, n: number(v, n), -0.95),
@@ -169,7 +173,7 @@ PICTURE = {
     "coarse": (flag, False),
     "smooth": (flag, False),
 }
-REQUESTS = {
+REQUESTS: dict[str, dict[str, tuple[Any, Any]]] = {
     "picture": PICTURE,
     "look": MODEL,
     "values": {**MODEL, "points": (points, MUST)},

@@ -28,6 +28,7 @@ class Worker:
     def __init__(self, output):
         self._output, self._models = output, Models()
         self.requests, self.stopped = queue.Queue(), threading.Event()
+        self._told = None  # the last share and message of a job
 
     def listen(self, stream):
         """Reads requests and, during a request, the message that stops it."""

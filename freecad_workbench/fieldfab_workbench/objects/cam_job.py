@@ -90,7 +90,7 @@ class Job:
 
     def _write_tool(self, tool):
         self._head("[[tool]]", tool)
-        for name, value in cam_tool.described(tool).items():
+        for name, value in cam_tool.values_of(tool).items():
             self._add(name, value, tool)
 
     def _write_operation(self, setup, operation):

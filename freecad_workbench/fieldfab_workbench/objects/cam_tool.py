@@ -95,7 +95,7 @@ def _names(obj):
     return *(form.format(diameter=size) for size in sizes for form in forms), f"{diameter:g} mm {obj.Shape}"
 
 
-def described(obj):
+def values_of(obj):
     """Returns the tool as {name: value} with the names of job files; the tool's name comes last."""
     needed = SHAPES[obj.Shape]
     told = {"number": obj.Number, "shape": obj.Shape}

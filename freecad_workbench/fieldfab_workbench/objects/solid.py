@@ -124,7 +124,7 @@ class Solid(DocumentObject):
             if obj.MadeFrom == made_from:
                 return
             if ready_for != made_from:
-                ready = lambda: work.run(lambda progress: source.mesh(progress, **settings), obj.Label)  # noqa: E731
+                ready = lambda: work.run(lambda progress: source.mesh(progress, **settings), obj.Label)
             mesh = ready()
         except fieldfab.Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None

@@ -245,7 +245,7 @@ class SetupForm(QtWidgets.QWidget):
     def write(self):
         """Writes the values to the object. Raises ValueError with a line for the user."""
         obj, tools = self.obj, [set_ups.tool_to_line(self._tool(row)) for row in range(self.tools.rowCount())]
-        find = lambda box: obj.Document.getObject(box.currentData()) if box.currentData() else None  # noqa: E731
+        find = lambda box: obj.Document.getObject(box.currentData()) if box.currentData() else None
         values = {
             "Program": find(self.of_object), "ProgramFile": self.program.line.text(),
             "Dialect": self.dialect.currentData(), "SetupFile": self.setup.line.text(),

@@ -73,7 +73,7 @@ class ToolTable(QtWidgets.QWidget):
                 else:
                     item = QtWidgets.QTableWidgetItem(value if place == 1 else f"{value:.6g}")
                     if place == 1 and tool.Diameter.Value > 0:
-                        item.setIcon(icon(cam_tool.described(tool)))
+                        item.setIcon(icon(cam_tool.values_of(tool)))
                     self.table.setItem(line, place, item)
         self.table.blockSignals(False)
         if self.setup.Tools:
@@ -169,7 +169,7 @@ class ToolTable(QtWidgets.QWidget):
         if tool is None:
             return
         try:
-            new = tool_library.keep([cam_tool.described(tool)])
+            new = tool_library.keep([cam_tool.values_of(tool)])
         except (ValueError, OSError) as error:
             return self.say(str(error))
         self.say("" if new else tr("The library has this tool already"))

@@ -17,7 +17,7 @@ from xml.sax.saxutils import escape
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
-from messages import of_sources  # noqa: E402
+from messages import of_sources
 PACKAGE = HERE.parents[1] / "fieldfab_workbench"
 MESSAGES = HERE / "messages.txt"  # the templates that the workbench matches messages with
 PREFERENCES = HERE.parent / "preferences.ui"

@@ -7,6 +7,7 @@ import pathlib
 import sys
 import time
 import traceback
+from typing import Any
 
 import numpy as np
 try:
@@ -17,7 +18,7 @@ except ImportError:
 import fieldfab as ff
 from fieldfab import edit
 
-seen = {}
+seen: dict[str, Any] = {}
 model, shot = pathlib.Path(sys.argv[1]), sys.argv[2]
 application = QtWidgets.QApplication([])
 window = edit.Window(str(model))

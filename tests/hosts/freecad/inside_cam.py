@@ -304,7 +304,7 @@ def test_tool_bits_of_freecad(document):
     setup = cam_setup.create(document)
     for tool in found:
         made = cam_tool.add(setup, tool)
-        told = cam_tool.described(made)
+        told = cam_tool.values_of(made)
         assert ({name: told[name] for name in tool if name in told}
                 == {name: value for name, value in tool.items() if name in told})
     assert [t.Number for t in setup.Tools] == [t["number"] for t in found]

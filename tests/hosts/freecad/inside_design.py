@@ -8,7 +8,6 @@ import sys
 
 import FreeCAD
 import numpy as np
-import FreeCAD
 import pytest
 
 from fieldfab_workbench import frep_language as language

@@ -15,7 +15,7 @@ from fieldfab_workbench.objects import combine, frep_solid, modify, openscad_nod
 from fieldfab_workbench.objects import solid as solids
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import openscad_designs  # noqa: E402
+import openscad_designs
 
 EXAMPLES = ("CSG LetterBlock assert example002 example003 example004 example005 example008 example011 example012 "
             "example014 example015 offset hull3-tests".split())

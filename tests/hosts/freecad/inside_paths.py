@@ -96,7 +96,7 @@ def test_freecads_job_post_and_simulator_take_them(document, tmp_path):
     [(section, moves)] = machine_program.sections_of(program)
     ours = moves[:, :3] + np.array(program.Zero)
     posted = positions(text)
-    distinct = lambda rows: rows[np.r_[True, (np.abs(np.diff(rows, axis=0)) > 2e-5).any(axis=1)]]  # noqa: E731
+    distinct = lambda rows: rows[np.r_[True, (np.abs(np.diff(rows, axis=0)) > 2e-5).any(axis=1)]]
     assert np.allclose(distinct(posted[1:]), distinct(np.round(ours, 5)), atol=2e-5)
     # FreeCAD's simulator leaves the dome with its allowance. The frame of 2 mm around it is removed; material less than
     # a level above the dome remains.

@@ -27,7 +27,7 @@ def main():
     os._exit(0)  # no questions about unsaved documents
 
 
-import FreeCAD  # noqa: E402
+import FreeCAD
 
 if FreeCAD.GuiUp:
     try:

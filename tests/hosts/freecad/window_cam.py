@@ -3,7 +3,6 @@
 import os
 import time
 
-import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest

@@ -5,7 +5,7 @@ import FreeCADGui
 import numpy as np
 import window
 from window import clock, live, press
-from window_cam import document, new_setup, part, planned_in_panel, seen, type_into  # noqa: F401
+from window_cam import document, new_setup, part, planned_in_panel, seen, type_into
 
 from fieldfab_workbench.objects import cam_setup, machine_program
 from fieldfab_workbench.shim import QtCore, QtWidgets

@@ -4,7 +4,7 @@ import FreeCAD
 import FreeCADGui
 import pytest
 import window
-from panels import Button, document, edit, frep, panels, shown  # noqa: F401
+from panels import Button, document, edit, frep, panels, shown
 from window import live, press, wait
 
 from fieldfab_workbench import certainty

@@ -3,7 +3,7 @@
 import FreeCADGui
 import pytest
 import window
-from panels import PART, Button, document, edit, frep, key, panels, shown, silhouette  # noqa: F401
+from panels import PART, Button, document, edit, frep, key, panels, shown, silhouette
 from window import live, press
 
 from fieldfab_workbench import kernel

@@ -9,7 +9,7 @@ import FreeCADGui
 import pointer
 import pytest
 import window
-from panels import document_tree, panels  # noqa: F401
+from panels import document_tree, panels
 from window import live, wait
 
 from fieldfab_workbench.panels.gallery import Gallery
@@ -76,7 +76,7 @@ def made():
     live(0.5)
 
 
-def from_gallery(hand, panels, name, drags):  # noqa: F811
+def from_gallery(hand, panels, name, drags):
     """Makes a solid of a shape, drags its arrows, each by a length in mm, and presses OK. Returns the solid."""
     hand.tool("Fieldfab_ShapeGallery")
     [gallery] = seen(Gallery)
@@ -94,7 +94,7 @@ def from_gallery(hand, panels, name, drags):  # noqa: F811
     return panel.obj
 
 
-def test_a_first_part(blank, panels, monkeypatch, tmp_path):  # noqa: F811
+def test_a_first_part(blank, panels, monkeypatch, tmp_path):
     hand = Hand()
     block = from_gallery(hand, panels, "rounded box", {0: 4, 1: 4})
     hole = from_gallery(hand, panels, "cylinder", {1: 2})

@@ -4,7 +4,7 @@ import FreeCAD
 import FreeCADGui
 import pytest
 import window
-from panels import Button, document, edit, frep, panels, shown  # noqa: F401
+from panels import Button, document, edit, frep, panels, shown
 from pointer import drag_arrow
 from window import live, press
 
@@ -13,7 +13,7 @@ from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.views.part_view import PartView
 
 
-def modified(document, operation, **values):  # noqa: F811
+def modified(document, operation, **values):
     source = frep(document, "box(20, 20, 20)")
     made = solids.create(modify.Modify, document)
     made.Source, made.Operation = source, operation
@@ -31,7 +31,7 @@ def arrows(panel):
     return [handle for handle, *_ in panel.handles.arrows]
 
 
-def test_an_offset_is_dragged(document, panels):  # noqa: F811
+def test_an_offset_is_dragged(document, panels):
     made = modified(document, "Offset", Distance=1)
     scene = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
     before = scene.getNumChildren()
@@ -50,7 +50,7 @@ def test_an_offset_is_dragged(document, panels):  # noqa: F811
     assert scene.getNumChildren() == before and made.Mesh.BoundBox.ZMax == pytest.approx(12, abs=0.1)
 
 
-def test_cancel_takes_a_drag_back(document, panels):  # noqa: F811
+def test_cancel_takes_a_drag_back(document, panels):
     made = modified(document, "Shell", Wall=2)
     edit(made)
     drag_arrow(document, panels[-1].handles, 0, 3)
@@ -59,7 +59,7 @@ def test_cancel_takes_a_drag_back(document, panels):  # noqa: F811
     assert made.Wall.Value == 2
 
 
-def test_a_wall_is_not_dragged_below_nothing(document, panels):  # noqa: F811
+def test_a_wall_is_not_dragged_below_nothing(document, panels):
     made = modified(document, "Shell", Wall=2)
     edit(made)
     drag_arrow(document, panels[-1].handles, 0, -8)
@@ -67,7 +67,7 @@ def test_a_wall_is_not_dragged_below_nothing(document, panels):  # noqa: F811
     press(Button.Cancel)
 
 
-def test_the_step_of_an_array_is_dragged_along_each_axis(document, panels):  # noqa: F811
+def test_the_step_of_an_array_is_dragged_along_each_axis(document, panels):
     made = modified(document, "Linear array", Step=FreeCAD.Vector(24, 0, 0), Count=2)
     edit(made)
     panel = panels[-1]
@@ -82,7 +82,7 @@ def test_the_step_of_an_array_is_dragged_along_each_axis(document, panels):  # n
     press(Button.Ok)
 
 
-def test_arrows_follow_the_operation_and_leave_computed_numbers_alone(document, panels):  # noqa: F811
+def test_arrows_follow_the_operation_and_leave_computed_numbers_alone(document, panels):
     made = modified(document, "Offset", Distance=1)
     made.setExpression("Distance", "2 mm")
     document.recompute()
@@ -99,7 +99,7 @@ def test_arrows_follow_the_operation_and_leave_computed_numbers_alone(document, 
 FORMULA = "width = 20  # 5 to 60\nbox(width, 20, 20) | move(sphere(6), 0, 0, 14)"
 
 
-def formula(document, text=FORMULA):  # noqa: F811
+def formula(document, text=FORMULA):
     solid = frep(document, text)
     FreeCADGui.ActiveDocument.ActiveView.viewFront()
     FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -110,13 +110,13 @@ def formula(document, text=FORMULA):  # noqa: F811
 
 def arrow_of(panel, value):
     """Returns the place of a number's arrow among those that are shown, once it is."""
-    found = lambda: [place for place, (handle, *_) in enumerate(  # noqa: E731
+    found = lambda: [place for place, (handle, *_) in enumerate(
         panel.handles.handles.arrows if panel.handles.handles else []) if handle.read() == value]
     window.wait(lambda: panel.handles._task is None and found(), 20, f"an arrow at {value}")
     return found()[0]
 
 
-def test_a_move_of_a_formula_is_dragged(document, panels):  # noqa: F811
+def test_a_move_of_a_formula_is_dragged(document, panels):
     solid = formula(document)
     panel = panels[-1]
     place = arrow_of(panel, 14)
@@ -136,7 +136,7 @@ def test_a_move_of_a_formula_is_dragged(document, panels):  # noqa: F811
     assert solid.Mesh.BoundBox.ZMax == pytest.approx(moved + 6, abs=0.2)
 
 
-def test_a_parameter_is_dragged_by_its_face(document, panels):  # noqa: F811
+def test_a_parameter_is_dragged_by_its_face(document, panels):
     solid = formula(document)
     panel = panels[-1]
     arrow_of(panel, 14)
@@ -149,7 +149,7 @@ def test_a_parameter_is_dragged_by_its_face(document, panels):  # noqa: F811
     assert solid.Mesh.BoundBox.XMax == pytest.approx(solid.width / 2, abs=0.1)
 
 
-def test_of_many_numbers_those_of_the_cursors_line_have_arrows(document, panels):  # noqa: F811
+def test_of_many_numbers_those_of_the_cursors_line_have_arrows(document, panels):
     lines = [f"move(box(4, 5, 6), {10 * i}, 1, 2)" for i in range(1, 4)]
     formula(document, "union(" + ",\n  ".join(lines) + ")")
     panel = panels[-1]
@@ -164,7 +164,7 @@ def test_of_many_numbers_those_of_the_cursors_line_have_arrows(document, panels)
     assert panel.handles.handles is None
 
 
-def test_a_formula_with_a_mistake_has_no_arrows(document, panels):  # noqa: F811
+def test_a_formula_with_a_mistake_has_no_arrows(document, panels):
     formula(document)
     panel = panels[-1]
     arrow_of(panel, 14)
@@ -174,7 +174,7 @@ def test_a_formula_with_a_mistake_has_no_arrows(document, panels):  # noqa: F811
 
 
 # A job's zero and stock.
-def job(document, text="difference(box(40, 30, 10), move(cylinder(4, 30), 9, 5, 0))"):  # noqa: F811
+def job(document, text="difference(box(40, 30, 10), move(cylinder(4, 30), 9, 5, 0))"):
     part = frep(document, text)
     made = cam_setup.create(document, part)
     document.recompute()
@@ -191,7 +191,7 @@ def open_only(panel, box):
     live(0.1)
 
 
-def test_the_zero_is_dragged_and_snaps_to_a_corner(document, panels):  # noqa: F811
+def test_the_zero_is_dragged_and_snaps_to_a_corner(document, panels):
     made = job(document)
     panel = panels[-1]
     open_only(panel, panel.part_box)
@@ -207,7 +207,7 @@ def test_the_zero_is_dragged_and_snaps_to_a_corner(document, panels):  # noqa: F
     assert made.Zero == "model"
 
 
-def test_the_zero_is_picked_on_a_hole(document, panels):  # noqa: F811
+def test_the_zero_is_picked_on_a_hole(document, panels):
     made = job(document)
     panel = panels[-1]
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
@@ -224,7 +224,7 @@ def test_the_zero_is_picked_on_a_hole(document, panels):  # noqa: F811
     press(Button.Cancel)
 
 
-def test_the_stock_is_dragged(document, panels):  # noqa: F811
+def test_the_stock_is_dragged(document, panels):
     made = job(document)
     panel = panels[-1]
     open_only(panel, panel.stock_box)

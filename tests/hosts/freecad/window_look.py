@@ -4,7 +4,7 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import window
-from panels import document, frep  # noqa: F401
+from panels import document, frep
 from window import live
 
 from fieldfab_workbench import meshes
@@ -12,7 +12,7 @@ from fieldfab_workbench.views import look
 from fieldfab_workbench.views.part_view import PartView
 
 
-def seen(document, name):  # noqa: F811
+def seen(document, name):
     """Returns the pixels of the 3D view, seen isometrically."""
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -24,7 +24,7 @@ def dark(pixels):
     return int((pixels.max(axis=-1) < 60).sum())
 
 
-def test_a_box_is_no_hexagon(document):  # noqa: F811
+def test_a_box_is_no_hexagon(document):
     frep(document, "box(30, 30, 30)")
     pixels = seen(document, "look_box").reshape(-1, 3)
     colours, count = np.unique(pixels, axis=0, return_counts=True)
@@ -33,7 +33,7 @@ def test_a_box_is_no_hexagon(document):  # noqa: F811
         max(abs(a - b) for a, b in zip(one, other)) >= 15 for one in blues for other in blues if one != other), blues
 
 
-def test_lines_follow_the_switch_the_solid_and_what_is_shown(document):  # noqa: F811
+def test_lines_follow_the_switch_the_solid_and_what_is_shown(document):
     solid = frep(document, "difference(box(40, 30, 20), cylinder(r = 8, h = 40))")
     view = solid.ViewObject
     with_lines = dark(seen(document, "look_edges"))
@@ -52,7 +52,7 @@ def test_lines_follow_the_switch_the_solid_and_what_is_shown(document):  # noqa:
     assert abs(dark(seen(document, "look_sphere_again")) - ball) < 30, "a ball has no edges"
 
 
-def test_lines_move_with_the_solid_and_stay_after_reopening(document, tmp_path):  # noqa: F811
+def test_lines_move_with_the_solid_and_stay_after_reopening(document, tmp_path):
     solid = frep(document, "box(30, 30, 30)")
     before = dark(seen(document, "look_here"))
     solid.Placement = FreeCAD.Placement(FreeCAD.Vector(100, 0, 0), FreeCAD.Rotation())
@@ -64,7 +64,7 @@ def test_lines_move_with_the_solid_and_stay_after_reopening(document, tmp_path):
     FreeCAD.closeDocument(other.Name)
 
 
-def test_the_edges_of_a_mesh_are_those_of_a_slow_search(document):  # noqa: F811
+def test_the_edges_of_a_mesh_are_those_of_a_slow_search(document):
     mesh = frep(document, "difference(box(40, 30, 20), cylinder(r = 8, h = 40))").Mesh
     points, pairs = look.sharp_edges(meshes.bms_of(mesh))
     facets, edges = mesh.Facets, {}

@@ -3,7 +3,7 @@
 import FreeCAD
 import pytest
 from panels import frep
-from window_life import report  # noqa: F401
+from window_life import report
 
 from fieldfab_workbench import work
 from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, combine, file_part, frep_solid,
@@ -59,7 +59,7 @@ MISTAKES = {
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
-def test_a_mistake_is_a_line(mistake, report):  # noqa: F811
+def test_a_mistake_is_a_line(mistake, report):
     document = FreeCAD.newDocument()
     obj = MISTAKES[mistake](document)
     document.recompute()
@@ -70,9 +70,9 @@ def test_a_mistake_is_a_line(mistake, report):  # noqa: F811
     assert len(said) == LINES, said
 
 
-def test_a_cancel_is_a_line(report, monkeypatch):  # noqa: F811
+def test_a_cancel_is_a_line(report, monkeypatch):
     document = FreeCAD.newDocument()
-    obj = add(document, frep_solid.FrepSolid, Expression="sphere(r = 5)")
+    add(document, frep_solid.FrepSolid, Expression="sphere(r = 5)")
 
     def stopped(*_):
         raise work.Cancelled()
@@ -83,7 +83,7 @@ def test_a_cancel_is_a_line(report, monkeypatch):  # noqa: F811
     assert len(said) == LINES and all("FrepSolid: cancelled; it is unchanged" in line for line in said), said
 
 
-def test_a_python_error_of_ours_keeps_its_traceback(report):  # noqa: F811
+def test_a_python_error_of_ours_keeps_its_traceback(report):
     """The traceback is needed to fix it."""
     document = FreeCAD.newDocument()
     obj = add(document, frep_solid.FrepSolid)

@@ -5,14 +5,14 @@ import time
 import FreeCADGui
 import pytest
 import window
-from panels import Button, QtWidgets, document, frep, panels, silhouette  # noqa: F401
+from panels import Button, QtWidgets, document, frep, panels, silhouette
 from pointer import click, type_text
 from window import Heartbeat, clock, live, press, wait
 
 from fieldfab_workbench import sources, work
 
 
-def test_the_editor_is_open_at_once_and_no_typing_is_lost(document, panels, monkeypatch):  # noqa: F811
+def test_the_editor_is_open_at_once_and_no_typing_is_lost(document, panels, monkeypatch):
     waited, real = [], work.run
     monkeypatch.setattr(work, "run", lambda function, title: waited.append(title) or real(function, title))
     began = clock()
@@ -67,7 +67,7 @@ def click_on(button):
     box.button(button).click()
 
 
-def pressed(panels):  # noqa: F811
+def pressed(panels):
     """Returns the panel of a new solid after OK was pressed."""
     FreeCADGui.runCommand("Fieldfab_NewFrepSolid")
     live(0.3)
@@ -79,7 +79,7 @@ def pressed(panels):  # noqa: F811
     return panel
 
 
-def test_ok_computes_beside_the_window(document, panels, slow):  # noqa: F811
+def test_ok_computes_beside_the_window(document, panels, slow):
     panel = pressed(panels)
     assert panel.making is not None and panel.bar_of_making.isVisible()
     assert not panel.text.isEnabled() and not dialogs() and QtWidgets.QApplication.activeModalWidget() is None
@@ -100,7 +100,7 @@ def test_ok_computes_beside_the_window(document, panels, slow):  # noqa: F811
     assert solid.isValid() and solid.Triangles > 10_000 and document.UndoCount == 1 and not dialogs()
 
 
-def test_cancel_meanwhile_takes_all_of_it_back(document, panels, slow):  # noqa: F811
+def test_cancel_meanwhile_takes_all_of_it_back(document, panels, slow):
     panel = pressed(panels)
     assert panel.making is not None
     click_on(Button.Cancel)
@@ -109,7 +109,7 @@ def test_cancel_meanwhile_takes_all_of_it_back(document, panels, slow):  # noqa:
     assert time.monotonic() - began < SECONDS / 2 and not document.Objects and not FreeCADGui.Control.activeDialog()
 
 
-def test_apply_goes_on_to_the_solid_itself(document, panels, slow):  # noqa: F811
+def test_apply_goes_on_to_the_solid_itself(document, panels, slow):
     solid = frep(document, "sphere(r = 5)")
     FreeCADGui.ActiveDocument.setEdit(solid.Name)
     live(0.3)
@@ -123,7 +123,7 @@ def test_apply_goes_on_to_the_solid_itself(document, panels, slow):  # noqa: F81
     assert solid.Expression == "sphere(r = 5)" and solid.isValid()
 
 
-def test_a_solid_that_cannot_be_made_leaves_its_panel_open(document, panels):  # noqa: F811
+def test_a_solid_that_cannot_be_made_leaves_its_panel_open(document, panels):
     solid = frep(document, "sphere(r = 5)")
     FreeCADGui.ActiveDocument.setEdit(solid.Name)
     live(0.3)

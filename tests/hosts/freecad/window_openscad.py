@@ -10,7 +10,7 @@ import FreeCADGui
 import pytest
 import window
 from window import Heartbeat, live, press, wait
-from window_life import report  # noqa: F401
+from window_life import report
 
 from fieldfab_workbench import files, openscad_files, work
 from fieldfab_workbench.objects import openscad_node
@@ -19,7 +19,7 @@ from fieldfab_workbench.panels import property_panel
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import openscad_designs  # noqa: E402
+import openscad_designs
 
 Button = QtWidgets.QDialogButtonBox
 EXAMPLES = pathlib.Path("/usr/share/openscad/examples")
@@ -288,7 +288,7 @@ def dialogs():
             if isinstance(box, QtWidgets.QMessageBox) and box.isVisible()]
 
 
-def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):  # noqa: F811
+def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):
     """By File > Import."""
     design = tmp_path / "wrong.scad"
     design.write_text("cube([1, 2, 3]);\nsphere(r = ;\n")

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 import pytest
 import window
-from panels import PART, Button, document, edit, frep, panels, shown, silhouette  # noqa: F401
+from panels import PART, Button, document, edit, frep, panels, shown, silhouette
 from window import Heartbeat, clock, live, press, wait
 
 from fieldfab_workbench import meshes, sources

@@ -2,7 +2,7 @@
 
 import FreeCADGui
 import window
-from panels import Button, document, edit, panels, silhouette  # noqa: F401
+from panels import Button, document, edit, panels, silhouette
 from pointer import click, type_text
 from window import live, press, wait
 
@@ -11,7 +11,7 @@ from fieldfab_workbench import scripts
 BALL = "from fieldfab.shapes import *\nr = 7  # 1 to 9, radius\nsolid = sphere(r)\n"
 
 
-def test_a_script_is_written_beside_its_picture(document, panels, tmp_path):  # noqa: F811
+def test_a_script_is_written_beside_its_picture(document, panels, tmp_path):
     FreeCADGui.runCommand("Fieldfab_NewScriptSolid")
     panel, ran = panels[-1], tmp_path / "ran"
     panel.voxel.setValue(0.5)
@@ -54,14 +54,14 @@ def test_a_script_is_written_beside_its_picture(document, panels, tmp_path):  # 
     assert abs(solid.Volume.Value - 1436.8) < 15 and solid.FormulaOf == BALL
 
 
-def test_cancel_of_a_new_script_leaves_nothing(document, panels):  # noqa: F811
+def test_cancel_of_a_new_script_leaves_nothing(document, panels):
     FreeCADGui.runCommand("Fieldfab_NewScriptSolid")
     live(0.3)
     press(Button.Cancel)
     assert not document.Objects and not scripts.may_run(document)
 
 
-def test_ok_without_consent_tells_why(document, panels):  # noqa: F811
+def test_ok_without_consent_tells_why(document, panels):
     FreeCADGui.runCommand("Fieldfab_NewScriptSolid")
     live(0.3)
     press(Button.Ok)

@@ -9,8 +9,8 @@ import numpy as np
 import pointer
 import pytest
 import window
-from panels import Button, document, edit, frep, panels, shown  # noqa: F401
-from simulating import opened, simulated  # noqa: F401
+from panels import Button, document, edit, frep, panels, shown
+from simulating import opened, simulated
 from window import live, press, wait
 
 from fieldfab_workbench import files, registry
@@ -25,13 +25,13 @@ CT = pathlib.Path(__file__).resolve().parents[2] / "data" / "ct"
 
 
 @pytest.fixture(autouse=True)
-def whole_again(document):  # noqa: F811
+def whole_again(document):
     yield
     if section.section_of(document):
         section.toggle(document)
 
 
-def cut(document):  # noqa: F811
+def cut(document):
     """Adds a section plane by the command."""
     assert COMMANDS["Fieldfab_Section"].IsActive()
     FreeCADGui.runCommand("Fieldfab_Section")
@@ -43,7 +43,7 @@ def in_the_colour(pixels):
     return (np.abs(pixels - 255 * np.array(section.CAP_COLOUR)) < 12).all(axis=-1)
 
 
-def cap(document, name, is_cut=in_the_colour):  # noqa: F811
+def cap(document, name, is_cut=in_the_colour):
     """Returns a mask of the view's pixels in the colour of cut faces."""
     return is_cut(window.view_pixels(name, PartView(document)))
 
@@ -59,7 +59,7 @@ def share(pixels):
     return len(rows) / ((np.ptp(rows) + 1) * (np.ptp(columns) + 1))
 
 
-def drag_handle(document, by):  # noqa: F811
+def drag_handle(document, by):
     """Drags the handle with the mouse by `by` mm along the normal."""
     plane, view = section.section_of(document), PartView(document)
     places = (plane.middle + plane.normal * (plane.offset + way) for way in (0, by))
@@ -67,7 +67,7 @@ def drag_handle(document, by):  # noqa: F811
     live(0.3)
 
 
-def test_a_cut_face_has_the_size_of_the_solid_there(document):  # noqa: F811
+def test_a_cut_face_has_the_size_of_the_solid_there(document):
     solid = frep(document, HOLLOW, 0.5)
     FreeCADGui.ActiveDocument.ActiveView.viewFront()
     FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -85,7 +85,7 @@ def test_a_cut_face_has_the_size_of_the_solid_there(document):  # noqa: F811
     assert solid.ViewObject.RootNode.getNumChildren() == own
 
 
-def test_the_handle_moves_the_plane(document):  # noqa: F811
+def test_the_handle_moves_the_plane(document):
     frep(document, HOLLOW, 0.5)
     background = background_of(window.shot("section_uncut"))
     plane = cut(document)
@@ -97,7 +97,7 @@ def test_the_handle_moves_the_plane(document):  # noqa: F811
     assert background_of(window.shot("section_background")) == background, "the plane cuts the solids alone"
 
 
-def test_what_a_panel_shows_is_cut(document, panels):  # noqa: F811
+def test_what_a_panel_shows_is_cut(document, panels):
     solid = frep(document, "box(20, 20, 20)", 0.5)
     FreeCADGui.ActiveDocument.ActiveView.viewFront()
     cut(document)
@@ -109,7 +109,7 @@ def test_what_a_panel_shows_is_cut(document, panels):  # noqa: F811
     press(Button.Cancel)
 
 
-def test_a_scan_is_cut_while_its_panel_is_open(document, panels):  # noqa: F811
+def test_a_scan_is_cut_while_its_panel_is_open(document, panels):
     files.insert(str(CT / "engine.nii.gz"), document.Name)
     panel = panels[-1]
     wait(lambda: panel.overview is not None and panel.work.idle(), what="the overview")
@@ -122,7 +122,7 @@ def test_a_scan_is_cut_while_its_panel_is_open(document, panels):  # noqa: F811
     press(Button.Cancel)
 
 
-def test_the_stock_of_a_simulation_is_cut(document, opened, tmp_path):  # noqa: F811
+def test_the_stock_of_a_simulation_is_cut(document, opened, tmp_path):
     simulated(document, opened, tmp_path)
     FreeCADGui.ActiveDocument.ActiveView.viewFront()
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
@@ -134,7 +134,7 @@ def test_the_stock_of_a_simulation_is_cut(document, opened, tmp_path):  # noqa: 
     press(Button.Cancel)
 
 
-def test_a_closed_document_takes_its_section_along(document):  # noqa: F811
+def test_a_closed_document_takes_its_section_along(document):
     other = FreeCAD.newDocument("Other")
     frep(other, HOLLOW, 1)
     first = cut(other)
@@ -150,13 +150,13 @@ def test_a_closed_document_takes_its_section_along(document):  # noqa: F811
     FreeCAD.setActiveDocument(document.Name)
 
 
-def test_nothing_to_cut_is_told(document):  # noqa: F811
+def test_nothing_to_cut_is_told(document):
     with pytest.raises(ValueError, match="no solid to cut"):
         section.toggle(document)
     assert section.section_of(document) is None and FreeCAD.ActiveDocument == document
 
 
-def click_at(document, place):  # noqa: F811
+def click_at(document, place):
     """Clicks on a place in the 3D view. Returns what the status bar says then."""
     view = PartView(document)
     pointer.click(view.widget(), pointer.point_of(view, place))
@@ -164,7 +164,7 @@ def click_at(document, place):  # noqa: F811
     return FreeCADGui.getMainWindow().statusBar().currentMessage()
 
 
-def test_thickness_and_distance_are_measured(document):  # noqa: F811
+def test_thickness_and_distance_are_measured(document):
     """A box of 20 mm with a ball of 6 mm radius within: walls of 4 mm, a gap of 12 mm."""
     frep(document, HOLLOW, 0.25)
     FreeCADGui.ActiveDocument.ActiveView.viewFront()
@@ -193,7 +193,7 @@ def test_thickness_and_distance_are_measured(document):  # noqa: F811
     cut(document)
 
 
-def test_the_densities_of_a_scan_are_on_the_plane(document, tmp_path):  # noqa: F811
+def test_the_densities_of_a_scan_are_on_the_plane(document, tmp_path):
     """A ball of 8 mm: orange within, grey outside, in its place also after the scan was moved."""
     import fieldfab as ff
 

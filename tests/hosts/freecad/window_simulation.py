@@ -6,7 +6,7 @@ import time
 import FreeCADGui
 import numpy as np
 import pytest
-from simulating import (DEEP_LINE, PROGRAM, RAPID_LINE, ROOT, Button, document, opened, simulated,  # noqa: F401
+from simulating import (DEEP_LINE, PROGRAM, RAPID_LINE, ROOT, Button, document, opened, simulated,
                         view_pixels)
 from window import Heartbeat, live, press, wait
 

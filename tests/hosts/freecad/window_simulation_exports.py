@@ -1,6 +1,6 @@
 """Runs inside FreeCAD's window: exports of a simulation's panel."""
 
-from simulating import Button, document, opened, simulated  # noqa: F401
+from simulating import Button, document, opened, simulated
 from window import press, wait
 
 PATIENCE = 120  # seconds: pictures have shadows

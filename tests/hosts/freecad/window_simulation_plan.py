@@ -5,7 +5,7 @@ import numpy as np
 import pointer
 import pytest
 import window
-from simulating import Button, button, document, opened, view_pixels  # noqa: F401
+from simulating import Button, button, document, opened, view_pixels
 from window import live, press, wait
 
 from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, frep_solid, machine_program, programs,
@@ -15,7 +15,7 @@ from fieldfab_workbench.shim import QtCore, QtWidgets
 
 
 @pytest.fixture
-def planned(document):  # noqa: F811
+def planned(document):
     part = solids.create(frep_solid.FrepSolid, document)
     part.Expression, part.VoxelSize = "box(24, 24, 8) | move(box(8, 8, 4), 0, 0, 5)", 1
     document.recompute()
@@ -33,7 +33,7 @@ def planned(document):  # noqa: F811
     return program
 
 
-def simulated(opened, cell=0.4):  # noqa: F811
+def simulated(opened, cell=0.4):
     """Adds a simulation by the command without a selection, and runs it by the panel's button."""
     FreeCADGui.runCommand("Fieldfab_SimulateProgram")
     live(0.3)
@@ -47,7 +47,7 @@ def simulated(opened, cell=0.4):  # noqa: F811
     return panel
 
 
-def test_the_stock_is_seen_alone_and_part_and_paths_by_switches(document, opened, planned):  # noqa: F811
+def test_the_stock_is_seen_alone_and_part_and_paths_by_switches(document, opened, planned):
     part = planned.Setup.Part
     assert part.ViewObject.Visibility and planned.ViewObject.Visibility
     panel = simulated(opened)
@@ -62,7 +62,7 @@ def test_the_stock_is_seen_alone_and_part_and_paths_by_switches(document, opened
     stock = view_pixels(panel, "plan_stock")
     pointer.click(playback.see_paths, QtCore.QPoint(8, playback.see_paths.height() // 2))
     paths = view_pixels(panel, "plan_paths")
-    red = lambda picture: int(((picture[..., 0] > 180) & (picture[..., 1] < 90)  # noqa: E731
+    red = lambda picture: int(((picture[..., 0] > 180) & (picture[..., 1] < 90)
                                & (picture[..., 2] < 90)).sum())
     assert (red(paths) > red(stock) + 50 and playback.colours.isVisible()
             and [words for _, words, _ in playback.colours.entries] == ["cuts of tool 1", "rapids"])
@@ -80,7 +80,7 @@ def test_the_stock_is_seen_alone_and_part_and_paths_by_switches(document, opened
     assert part.ViewObject.Visibility and planned.ViewObject.Visibility, "as it was"
 
 
-def test_a_program_file_made_of_the_planned_one_keeps_its_set_up(document, opened, planned, tmp_path):  # noqa: F811
+def test_a_program_file_made_of_the_planned_one_keeps_its_set_up(document, opened, planned, tmp_path):
     panel = simulated(opened)
     form, removed = panel.setup, panel.obj.Removed.Value
     path = tmp_path / "edited.ngc"
@@ -101,7 +101,7 @@ def test_a_program_file_made_of_the_planned_one_keeps_its_set_up(document, opene
     press(Button.Ok)
 
 
-def test_a_hidden_simulation_is_carried_out_once_it_is_shown(document, opened, planned, monkeypatch):  # noqa: F811
+def test_a_hidden_simulation_is_carried_out_once_it_is_shown(document, opened, planned, monkeypatch):
     panel = simulated(opened)
     obj, made = panel.obj, []
     press(Button.Ok)
@@ -128,7 +128,7 @@ def test_a_hidden_simulation_is_carried_out_once_it_is_shown(document, opened, p
     assert not made
 
 
-def test_deleting_a_set_up_and_undo_brings_its_program_back(document, planned):  # noqa: F811
+def test_deleting_a_set_up_and_undo_brings_its_program_back(document, planned):
     text, name = machine_program.machine_file(planned), planned.Name
     FreeCADGui.Selection.addSelection(planned.Setup)
 
@@ -157,7 +157,7 @@ def test_around_the_program_is_around_all_that_it_cuts():
     assert programs.highest_cut(text("G0 X0 Y0 Z5")) is None
 
 
-def test_the_button_takes_a_program_above_zero_whole(document, opened, tmp_path):  # noqa: F811
+def test_the_button_takes_a_program_above_zero_whole(document, opened, tmp_path):
     path = tmp_path / "high.ngc"
     path.write_text("G21 G90 G17\nT1 M6\nS5000 M3\nG0 X0 Y0 Z30\nG1 Z12 F300\nG1 X10 F900\nG1 Z-4\nG1 Y10\n"
                     "G0 Z30\nM2\n")

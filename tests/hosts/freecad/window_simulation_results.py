@@ -8,7 +8,7 @@ import FreeCADGui
 import pointer
 import pytest
 import window
-from simulating import HEAD, Button, button, document, opened, simulated  # noqa: F401
+from simulating import HEAD, Button, button, document, opened, simulated
 from window import live, press, wait
 
 from fieldfab_workbench import meshes

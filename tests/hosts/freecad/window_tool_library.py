@@ -5,7 +5,7 @@ import os
 
 import pytest
 import window
-from panels import Button, document, edit, frep, panels  # noqa: F401
+from panels import Button, document, edit, frep, panels
 from window import live, press
 
 from fieldfab_workbench import tool_library
@@ -20,7 +20,7 @@ FUSION = {"data": [
 
 
 @pytest.fixture
-def table(document, panels):  # noqa: F811
+def table(document, panels):
     made = cam_setup.create(document, frep(document, "box(30, 20, 10)"))
     for told in ({"diameter": 6, "flute": 18, "length": 35, "shank": 8, "holder_diameter": 20, "holder_length": 25},
                  {"shape": "v", "diameter": 10, "angle": 60, "flute": 9, "length": 30},
@@ -33,7 +33,7 @@ def table(document, panels):  # noqa: F811
     press(Button.Cancel)
 
 
-def test_tools_are_kept_and_taken_into_a_job(document, table):  # noqa: F811
+def test_tools_are_kept_and_taken_into_a_job(document, table):
     assert tool_library.tools() == []
     table.open_library()
     assert "empty" in table.library.message.text()
@@ -55,7 +55,7 @@ def test_tools_are_kept_and_taken_into_a_job(document, table):  # noqa: F811
     assert len(table.setup.Tools) == 7
     new = table.setup.Tools[5]
     assert (new.Number, new.Shape, new.Diameter.Value, new.Angle.Value) == (6, "v", 10, 60)
-    assert cam_tool.described(new) == {**cam_tool.described(table.setup.Tools[1]), "number": 6, "name": new.Label}
+    assert cam_tool.values_of(new) == {**cam_tool.values_of(table.setup.Tools[1]), "number": 6, "name": new.Label}
     library.list.clearSelection()
     library.list.item(0).setSelected(True)
     library.remove()
@@ -64,7 +64,7 @@ def test_tools_are_kept_and_taken_into_a_job(document, table):  # noqa: F811
     window.shot("tool_table")
 
 
-def test_tools_of_fusion_are_imported(document, table, tmp_path):  # noqa: F811
+def test_tools_of_fusion_are_imported(document, table, tmp_path):
     file = tmp_path / "mill.json"
     file.write_text(json.dumps(FUSION))
     before = len(tool_library.tools())
@@ -79,7 +79,7 @@ def test_tools_of_fusion_are_imported(document, table, tmp_path):  # noqa: F811
     table.library.close()
 
 
-def test_a_damaged_library_is_told_and_left_alone(document, table):  # noqa: F811
+def test_a_damaged_library_is_told_and_left_alone(document, table):
     os.makedirs(os.path.dirname(tool_library.path()), exist_ok=True)
     with open(tool_library.path(), "w", encoding="utf-8") as held:
         held.write("{ nonsense")

@@ -2,7 +2,7 @@
 
 import FreeCADGui
 import window
-from panels import Button, document, document_tree, frep, panels  # noqa: F401
+from panels import Button, document, document_tree, frep, panels
 from window import live, press
 
 from fieldfab_workbench.objects import cam_setup
@@ -31,7 +31,7 @@ def choose_shape(panel, shape):
     live(0.2)
 
 
-def test_a_name_follows_shape_and_diameter_until_one_is_written(document, panels):  # noqa: F811
+def test_a_name_follows_shape_and_diameter_until_one_is_written(document, panels):
     new_setup(document)
     panel = panels[-1]
     panel.tools_box.open()

@@ -7,9 +7,9 @@ import FreeCAD
 import FreeCADGui
 import pytest
 import window
-from panels import Button, document, edit, frep, panels, shown  # noqa: F401
+from panels import Button, document, edit, frep, panels, shown
 from pointer import click, type_text
-from simulating import opened, simulated  # noqa: F401
+from simulating import opened, simulated
 from window import live, press, wait
 from window_wheel import KINDS
 
@@ -65,14 +65,14 @@ def type_into(box, text):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_nothing_is_in_mm(kind, document, panels):  # noqa: F811
+def test_nothing_is_in_mm(kind, document, panels):
     edit(KINDS[kind](document))
     assert metric(panels[-1].form) == []
     window.shot(f"inches_{kind}")
     press(Button.Cancel)
 
 
-def test_inches_are_typed_and_mm_are_stored(document, panels):  # noqa: F811
+def test_inches_are_typed_and_mm_are_stored(document, panels):
     solid = frep(document, "box(20, 20, 8)", 1)
     edit(solid)
     panel = panels[-1]
@@ -90,7 +90,7 @@ def test_inches_are_typed_and_mm_are_stored(document, panels):  # noqa: F811
     assert solid.VoxelSize.Value == 1.27 and solid.isValid()
 
 
-def test_a_job_in_inches(document, panels):  # noqa: F811
+def test_a_job_in_inches(document, panels):
     setup = KINDS["set-up"](document)
     edit(setup)
     panel = panels[-1]
@@ -125,7 +125,7 @@ def test_a_job_in_inches(document, panels):  # noqa: F811
     press(Button.Cancel)
 
 
-def test_a_simulation_and_its_legend_in_inches(document, opened, tmp_path):  # noqa: F811
+def test_a_simulation_and_its_legend_in_inches(document, opened, tmp_path):
     panel = simulated(document, opened, tmp_path)
     assert metric(panel.form) == []
     amounts = [event.text(2) for event in panel.playback.events.findItems("", QtCore.Qt.MatchContains)]
@@ -156,7 +156,7 @@ def drawn(legend):
     return found
 
 
-def test_the_cross_check_in_inches(document, monkeypatch):  # noqa: F811
+def test_the_cross_check_in_inches(document, monkeypatch):
     made, real = [], check_panel.CheckPanel.__init__
     monkeypatch.setattr(check_panel.CheckPanel, "__init__", lambda self, obj: made.append(self) or real(self, obj))
     FreeCADGui.Selection.clearSelection()
@@ -170,7 +170,7 @@ def test_the_cross_check_in_inches(document, monkeypatch):  # noqa: F811
     made[0].reject()
 
 
-def test_a_scan_in_inches(document, panels):  # noqa: F811
+def test_a_scan_in_inches(document, panels):
     files.insert(str(CT / "engine.nii.gz"), document.Name)
     panel = panels[-1]
     wait(lambda: panel.overview is not None and panel.work.idle(), what="the overview")

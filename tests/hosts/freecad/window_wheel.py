@@ -4,7 +4,7 @@ import FreeCAD
 import FreeCADGui
 import pytest
 import window
-from panels import Button, document, frep, panels  # noqa: F401
+from panels import Button, document, frep, panels
 from pointer import click, is_seen, turn_wheel
 from window import live, press
 
@@ -53,7 +53,7 @@ def held(widget):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_wheel_changes_nothing_on_its_way(kind, document, panels):  # noqa: F811
+def test_the_wheel_changes_nothing_on_its_way(kind, document, panels):
     for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget):
         if dock.objectName() in ("Python console", "Report view"):
             dock.hide()
@@ -82,7 +82,7 @@ def test_the_wheel_changes_nothing_on_its_way(kind, document, panels):  # noqa: 
     press(Button.Cancel)
 
 
-def test_the_panel_scrolls_instead_and_what_has_the_focus_takes_the_wheel(document, panels):  # noqa: F811
+def test_the_panel_scrolls_instead_and_what_has_the_focus_takes_the_wheel(document, panels):
     setup = set_up(document)
     FreeCADGui.ActiveDocument.setEdit(setup.Name)
     live(0.5)

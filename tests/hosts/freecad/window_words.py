@@ -2,7 +2,7 @@
 
 import FreeCADGui
 import pytest
-from panels import Button, QtWidgets, document, edit, frep, panels  # noqa: F401
+from panels import Button, QtWidgets, document, edit, frep, panels
 from window import live, press, shot, wait
 
 from fieldfab_workbench import kernel_messages, mistakes, part_files, words
@@ -14,7 +14,7 @@ from fieldfab_workbench.shim import QtCore, QtGui
 
 
 @pytest.fixture
-def german(document):  # noqa: F811
+def german(document):
     FreeCADGui.setLocale("German")
     live(0.3)
     yield document
@@ -73,7 +73,7 @@ def test_panels_are_german_and_keep_what_documents_hold(german):
     press(Button.Cancel)
 
 
-def test_what_the_kernel_says_is_german(german, panels):  # noqa: F811
+def test_what_the_kernel_says_is_german(german, panels):
     """Names, tool tips and values of the kernel's settings; what is stored stays English."""
     setup = cam_setup.create(german, frep(german, "box(20, 20, 12)", 1))
     cam_tool.add(setup, {"diameter": 6, "shape": "ball", "name": "Kugel"})
@@ -101,7 +101,7 @@ def test_what_the_kernel_says_is_german(german, panels):  # noqa: F811
     press(Button.Cancel)
 
 
-def test_choices_of_a_property_panel_are_german(german, panels):  # noqa: F811
+def test_choices_of_a_property_panel_are_german(german, panels):
     both = [frep(german, text, 1) for text in ("box(20, 20, 12)", "sphere(r = 9)")]
     made = solid_objects.create(combine.Combine, german)
     made.Sources = both
@@ -128,7 +128,7 @@ def test_messages_are_german(german):
     assert "mindestens zwei Ausgangskörper wählen" in made.getStatusString()
 
 
-def test_messages_of_the_kernel_are_german(german, panels, tmp_path):  # noqa: F811
+def test_messages_of_the_kernel_are_german(german, panels, tmp_path):
     for english, expected in (
             ("part.stl: holds no triangles", "part.stl: enthält keine Dreiecke"),
             ("Halter: 'box' takes at most 3 arguments", "Halter: 'box' nimmt höchstens 3 Argumente"),
@@ -193,7 +193,7 @@ def properties_shown(obj):
     return shown
 
 
-def test_whats_this_is_shown(document):  # noqa: F811
+def test_whats_this_is_shown(document):
     """Same effect as Shift+F1 and a click on a tool."""
     [button] = [bar.widgetForAction(action_of("Fieldfab_Union"))
                 for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar)

@@ -7,7 +7,7 @@ import re
 
 import FreeCAD
 import FreeCADGui
-from window import live, press, shot, wait  # noqa: F401
+from window import shot
 
 from fieldfab_workbench import commands, objects, preferences, registry
 from fieldfab_workbench.icons import FOLDER

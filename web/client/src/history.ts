@@ -13,7 +13,7 @@ function database(): Promise<IDBDatabase> {
     opening.onupgradeneeded = () => opening.result.createObjectStore("histories", { keyPath: "name" })
       .createIndex("time", "time");
     opening.onsuccess = () => resolve(opening.result);
-    opening.onerror = () => reject(opening.error);
+    opening.onerror = () => reject(opening.error!);
   });
 }
 
@@ -26,7 +26,7 @@ async function store(mode: IDBTransactionMode): Promise<IDBObjectStore> {
 function answer<T>(request: IDBRequest<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error);
+    request.onerror = () => reject(request.error!);
   });
 }
 
@@ -51,10 +51,10 @@ export function flushHistory(): void {
     try {
       const histories = await store("readwrite");
       histories.put({ name, time: Date.now(), ...now });
-      const all = await answer(histories.index("time").getAllKeys());
-      for (const old of all.slice(0, -DOCUMENTS)) {
+      const names = await answer(histories.index("time").getAllKeys()) as string[];
+      for (const old of names.slice(0, -DOCUMENTS)) {
         histories.delete(old);
-        localStorage.removeItem(knownKey(String(old)));
+        localStorage.removeItem(knownKey(old));
       }
     } catch { /* without a database there is no undo after a reload */ }
   })();

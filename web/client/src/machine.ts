@@ -82,7 +82,7 @@ function readJob(name: string, text: string): Partial<JobText> {
   try {
     given = JSON.parse(text);
   } catch (error) {
-    throw new Error(`${name} is not a job: ${(error as Error).message}. It is left as it is`);
+    throw new Error(`${name} is not a job: ${(error as Error).message}. It is left as it is`, { cause: error });
   }
   if (given?.format !== "fieldfab job") throw new Error(`${name} is not a job of fabserver. It is left as it is`);
   if (given.version !== 1)

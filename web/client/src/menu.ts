@@ -41,7 +41,7 @@ export function menu(button: HTMLElement, actions: () => Action[]): void {
       else if (event.key in to) items[to[event.key]].focus();
       else if (event.key.length === 1 && event.key !== " ") {
         const rest = [...items.slice(at + 1), ...items.slice(0, at + 1)];
-        rest.find((each) => each.textContent!.toLowerCase().startsWith(event.key.toLowerCase()))?.focus();
+        rest.find((each) => each.textContent.toLowerCase().startsWith(event.key.toLowerCase()))?.focus();
       } else return;
       event.preventDefault();
       event.stopPropagation();

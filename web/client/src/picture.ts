@@ -201,7 +201,7 @@ export class Picture {
       if (answer.number < this.number && answer.quality !== "coarse") return;
       if (answer.bounds) { this.bounds = answer.bounds; this.flat = answer.flat ?? false; }
       if (this.fitting && answer.number === this.fitted && this.bounds) this.adopt(answer.window!);
-      this.image = { bitmap: answer.mode === "bitmap" ? await this.tinted(bitmap) : bitmap, window: answer.window!,
+      this.image = { bitmap: answer.mode === "bitmap" ? this.tinted(bitmap) : bitmap, window: answer.window!,
         mode: answer.mode! };
       if (of) this.good = of;
       this.draw();
@@ -239,7 +239,7 @@ export class Picture {
   }
 
   /** Returns a slice (white inside) in the theme's colour, transparent outside. */
-  private async tinted(bitmap: ImageBitmap): Promise<ImageBitmap> {
+  private tinted(bitmap: ImageBitmap): ImageBitmap {
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), context = canvas.getContext("2d")!;
     context.drawImage(bitmap, 0, 0);
     const image = context.getImageData(0, 0, bitmap.width, bitmap.height), data = image.data;
@@ -247,7 +247,9 @@ export class Picture {
       .map(Number);
     for (let i = 0; i < data.length; i += 4) {
       data[i + 3] = data[i];
-      data[i] = red, data[i + 1] = green, data[i + 2] = blue;
+      data[i] = red;
+      data[i + 1] = green;
+      data[i + 2] = blue;
     }
     context.putImageData(image, 0, 0);
     return canvas.transferToImageBitmap();
@@ -255,8 +257,10 @@ export class Picture {
 
   draw(): void {
     const [w, h] = this.size, ratio = Math.min(devicePixelRatio || 1, 2);
-    if (this.canvas.width !== Math.round(w * ratio) || this.canvas.height !== Math.round(h * ratio))
-      this.canvas.width = Math.round(w * ratio), this.canvas.height = Math.round(h * ratio);
+    if (this.canvas.width !== Math.round(w * ratio) || this.canvas.height !== Math.round(h * ratio)) {
+      this.canvas.width = Math.round(w * ratio);
+      this.canvas.height = Math.round(h * ratio);
+    }
     const context = this.canvas.getContext("2d")!;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, w, h);

@@ -36,7 +36,7 @@ export function upload(name: string, data: Blob, progress: (share: number) => vo
       try { told = JSON.parse(request.responseText).error; } catch { /* not JSON: a proxy's answer */ }
       reject(new Refusal(request.status, told.kind, told.message));
     };
-    request.onabort = () => reject(signal.reason);
+    request.onabort = () => reject(signal.reason as Error);
     signal.addEventListener("abort", () => request.abort());
     request.onerror = () => reject(new TypeError("the server is away"));
     request.send(data);
@@ -101,11 +101,10 @@ export class Histogram {
       this.onLevel(level, Number(short(scan.from + share * (scan.to - scan.from))));
     };
     picture.addEventListener("pointerdown", (event) => {
-      picture.setPointerCapture((event as PointerEvent).pointerId);
-      set(event as PointerEvent);
+      picture.setPointerCapture(event.pointerId);
+      set(event);
     });
-    picture.addEventListener("pointermove",
-      (event) => { if ((event as PointerEvent).buttons) set(event as PointerEvent); });
+    picture.addEventListener("pointermove", (event) => { if (event.buttons) set(event); });
     const rules = ([["Halfway", scan.halfway], ["Otsu", scan.otsu]] as const).map(([words, value]) => {
       const button = element("button", { title: `${short(value)}` }, words);
       button.onclick = () => this.onLevel(level, Number(short(value)));

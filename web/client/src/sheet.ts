@@ -30,7 +30,7 @@ export function readSheet(text: string): Sheet {
   try {
     given = JSON.parse(text);
   } catch (error) {
-    throw new Error(`This is not a sheet: ${(error as Error).message}`);
+    throw new Error(`This is not a sheet: ${(error as Error).message}`, { cause: error });
   }
   if (given?.format !== "fieldfab sheet") throw new Error("This .json file is not a sheet of fabserver");
   if (typeof given.version !== "number" || given.version > VERSION)

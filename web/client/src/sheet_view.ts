@@ -113,7 +113,10 @@ export class SheetView {
     const { bounds } = this.picture;
     const xs = this.sheet.nodes.map((node) => node.x);
     const ys = this.sheet.nodes.map((node) => node.y);
-    if (bounds && this.sheet.text) xs.push(bounds[0], bounds[3]), ys.push(bounds[1], bounds[4]);
+    if (bounds && this.sheet.text) {
+      xs.push(bounds[0], bounds[3]);
+      ys.push(bounds[1], bounds[4]);
+    }
     if (xs.length) this.picture.frame(Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys));
   }
 
@@ -557,8 +560,10 @@ export class SheetView {
     else if (control && event.key === "a") this.choose(items.map((item) => item.id));
     else if (control) return;
     else if (way && chosen.length) {
-      for (const each of this.moved())
-        each.x = this.snapped(each.x + way[0] * step), each.y = this.snapped(each.y + way[1] * step);
+      for (const each of this.moved()) {
+        each.x = this.snapped(each.x + way[0] * step);
+        each.y = this.snapped(each.y + way[1] * step);
+      }
       this.settle();
     } else if (event.key === "Delete" || event.key === "Backspace") this.remove();
     else if (event.key === "a") this.palette.open();
