@@ -1,6 +1,8 @@
-"""Lists what took longest to compile: dearest.py BUILD [COUNT] [--write]. BUILD is a folder of Ninja, whose log has the times
-of the last compilation of each object: clock time, which is processor time if the machine had nothing else to do.
---write puts the table into CONTRIBUTING.md, between the lines that name this script."""
+"""Lists what took longest to compile: dearest.py BUILD [COUNT] [--write].
+
+BUILD is a folder of Ninja, whose log has the times of the last compilation of each object: clock time, which is
+processor time if the machine had nothing else to do. --write puts the table into CONTRIBUTING.md, between the lines
+that name this script."""
 
 import argparse
 import pathlib

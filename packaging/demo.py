@@ -173,7 +173,6 @@ def checks(parts, cells):
 <details><summary>Each part</summary>{table(rows)}</details>"""
 
 
-<<<<<<< HEAD
 def next_steps(out):
     tutorial = os.path.relpath(ROOT / "docs" / "tutorial.md", out)
     return f"""<h2>Next</h2>
@@ -185,11 +184,6 @@ machine, in about a quarter of an hour.</li></ul>"""
 
 def page(out, parts, cells, mill, scan, cut, frames, plate):
     _, t_plan, _, t_done = cut
-=======
-def page(rows, cells, mill, scan, cut, frames, plate):
-    total = lambda column: sum(row[column] for row in rows)
-    plan, t_plan, done, t_done = cut
->>>>>>> lint-web-python
     return f"""<!doctype html><html lang="en"><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>Fieldfab demo</title><style>{STYLE}</style>
 <h1>Fieldfab</h1>

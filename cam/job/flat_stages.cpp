@@ -71,8 +71,9 @@ Artifact profile_stage(const Artifact& in, const Values& values, Context& contex
 
 Artifact isolate_stage(const Artifact& in, const Values& values, Context& context) {
   PlannedCuts cuts;
-  cuts.paths = isolate(std::get<Outline>(in), static_cast<int>(values.number("offsets")), flat_stepover_of(values, context),
-                       cut_of(values, context, depths_of(values, context.stock)), context.progress);
+  cuts.paths =
+      isolate(std::get<Outline>(in), static_cast<int>(values.number("offsets")), flat_stepover_of(values, context),
+              cut_of(values, context, depths_of(values, context.stock)), context.progress);
   cuts.inside_first = false;  // no piece comes loose
   return cuts;
 }
@@ -351,8 +352,8 @@ std::vector<Stage> flat_stages() {
       {"engrave", "follows the part's outline with the tip, as for lettering", Kind::outline, Kind::paths, true,
        flat_depth_settings(0.2) + cut, engrave_stage},
       {"v_carve", "carves the inside of the outline with a V", Kind::outline, Kind::paths, true,
-       Settings{above_zero(number("stepover", "mm", 0.2, "distance of passes on a flat floor"))} + flat_depth_settings() +
-           cut,
+       Settings{above_zero(number("stepover", "mm", 0.2, "distance of passes on a flat floor"))} +
+           flat_depth_settings() + cut,
        v_carve_stage, inside},
   };
 }

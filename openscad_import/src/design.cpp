@@ -1,5 +1,5 @@
-#include "fieldfab/core/lower_case.h"
 #include "fieldfab/openscad/design.h"
+#include "fieldfab/core/lower_case.h"
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,8 @@ namespace {
 
 using frep::Expression;
 
-constexpr std::size_t most_planes_of_turned = 40;  // solids of revolution with more planes are evaluated by their profile
+constexpr std::size_t most_planes_of_turned =
+    40;  // solids of revolution with more planes are evaluated by their profile
 
 /// Smallest and largest factor by which a map stretches.
 struct Stretch {
@@ -263,7 +264,8 @@ class Faceted final : public Leaf {
   Faceted(Polyhedron solid, TurnedShape shape, const Eigen::Affine3d& placement)
       : planes_(std::move(solid)), turned_(std::move(shape), placement) {}
   [[nodiscard]] Shape solid(const Making& making) const override {
-    return making.formulas_only || planes_.count() <= most_planes_of_turned ? planes_.solid(making) : turned_.solid(making);
+    return making.formulas_only || planes_.count() <= most_planes_of_turned ? planes_.solid(making)
+                                                                            : turned_.solid(making);
   }
   [[nodiscard]] Polyhedron polyhedron() const override { return planes_.polyhedron(); }
   [[nodiscard]] Box bounds() const override { return planes_.bounds(); }

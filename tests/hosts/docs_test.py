@@ -23,7 +23,7 @@ import pytest
 from conftest import BUILD, COMMAND, ROOT
 from documents import COMMAND_IN_PROSE, DOCUMENTS, NAME_OF_VERB, code_of
 from freecad_host import screen
-from programs import need
+from programs import lacks, need
 
 import fieldfab as ff
 from fieldfab import koko_script
@@ -60,6 +60,9 @@ NOT_RUN = {
     "./dev bench": "takes more than ten minutes",
     "./dev docs": "takes minutes, and writes the documents that are tested; hosts/site_test.py makes the site",
     "./dev lint": "takes minutes; text_test.py runs its checks of the text",
+    "./dev lint --changed": ".ci/run does it before this test",
+    "./dev dearest": "tests/dearest_test.py lists a build's files",
+    "./dev dearest --write": "writes into the tree; tests/dearest_test.py lists a build's files",
     "./dev format": "writes into the sources",
     "cmake --preset release": "./dev test does it before this test",
     "cmake --build build/release -- fieldfab_command unit_volume": "./dev test builds all, before this test",
@@ -303,6 +306,45 @@ def test_command_serves(place, folders):
             while "fabserver: http://" not in log.read_text():
                 assert process.poll() is None and time.monotonic() < end, log.read_text()
                 time.sleep(0.1)
+
+
+# What ./dev demo builds (build_demo there).
+DEMO = ["bin/fieldfab", "lib", "python", "web"]
+
+
+def test_readme_in_its_order_after_the_demo(folders, screen, tmp_path):
+    """README's commands run in the order in which they stand where no more is built than by `./dev demo`."""
+    folder = tmp_path / "tree"
+    shutil.copytree(folders("README.md"), folder, symlinks=True, ignore=shutil.ignore_patterns("build", "out", "home"))
+    build = folder / "build" / "release"
+    for name in DEMO:
+        (build / name).parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["cp", "-a", BUILD / name, build / name], check=True)
+    (folder / "home" / "bin").mkdir(parents=True)
+    (folder / "home" / "bin" / "python3").symlink_to("/usr/bin/python3")
+    more = {"FIELDFAB_BUILD": str(build), "DISPLAY": screen, "BROWSER": "true",
+            "PATH": os.pathsep.join(map(str, (folder / "home" / "bin", build / "bin", os.environ["PATH"])))}
+    done = []
+    [readme] = [document for document in DOCUMENTS if document.name == "README.md"]
+    for place in readme.commands:
+        if place.command in NOT_RUN or place.command.startswith("./dev ") or ".scad" in place.text and lacks("openscad"):
+            continue
+        if place.session:
+            (folder / "session").write_text(place.session)
+            for name in given_in(place.session):
+                give(name, folder)
+            run(f"{place.command} -m doctest session", folder, **more)
+        elif opens_a_window(place.command) or re.match(SERVES, place.command):
+            with started(place.command, folder, **more) as (process, log):
+                end = time.monotonic() + SECONDS
+                while not (window_on(screen, opens_a_window(place.command)) if opens_a_window(place.command)
+                           else "fabserver: http://" in log.read_text()):
+                    assert process.poll() is None and time.monotonic() < end, f"{place.command}: {log.read_text()}"
+                    time.sleep(0.1)
+        else:
+            run(place.command, folder, **more)
+        done.append(place.command.split()[1])
+    assert {"serve", "edit", "mesh", "cam", "simulate"} <= set(done) and len(done) > 10
 
 
 PROBE = """

@@ -15,7 +15,8 @@ constexpr std::array<unsigned, 3> corner_stride{1, 3, 9};
 
 /// The 3x3 signs on one face: bit u + 3 v, with u and v the next axes after `axis`.
 unsigned face_of(unsigned inside, unsigned axis, bool upper) {
-  const unsigned u = corner_stride[(axis + 1) % 3], v = corner_stride[(axis + 2) % 3], base = upper ? 2 * corner_stride[axis] : 0;
+  const unsigned u = corner_stride[(axis + 1) % 3], v = corner_stride[(axis + 2) % 3],
+                 base = upper ? 2 * corner_stride[axis] : 0;
   unsigned face = 0;
   for (unsigned j = 0; j < 3; ++j)
     for (unsigned i = 0; i < 3; ++i) face |= (inside >> (base + i * u + j * v) & 1U) << (i + 3 * j);
@@ -199,8 +200,11 @@ std::uint32_t BlockRefiner::make(const LatticePoint& lower, int level) {
            {static_cast<std::uint8_t>(i % 3), static_cast<std::uint8_t>(i / 3 % 3), static_cast<std::uint8_t>(i / 9)},
            (division.inside >> i & 1U) != 0,
            {}});
-      edges.push_back(
-          {static_cast<int>(axis), {x[i], y[i], z[i]}, plane[axis][i / corner_stride[axis] % 3 + 1], value[i], value[next]});
+      edges.push_back({static_cast<int>(axis),
+                       {x[i], y[i], z[i]},
+                       plane[axis][i / corner_stride[axis] % 3 + 1],
+                       value[i],
+                       value[next]});
     }
   locate_crossings(*solid, edges, lattice_.side(division.level), static_cast<float>(lattice_.float_step()), points);
   for (std::size_t i = 0; i < points.size(); ++i) division.crossings[i].point = points[i];

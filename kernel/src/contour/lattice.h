@@ -24,7 +24,8 @@ inline LatticePoint moved(const LatticePoint& point, int x, int y, int z) {
   return {point[0] + x, point[1] + y, point[2] + z};
 }
 
-/// Returns the lower corner of the child 0 to 7 (bits: upper half along x, y, z), of that level, of the cube at `lower`.
+/// Returns the lower corner of the child 0 to 7 (bits: upper half along x, y, z), of that level, of the cube at
+/// `lower`.
 inline LatticePoint child_of(const LatticePoint& lower, unsigned child, int level) {
   return moved(lower, static_cast<int>(child & 1U) << level, static_cast<int>(child >> 1 & 1U) << level,
                static_cast<int>(child >> 2) << level);

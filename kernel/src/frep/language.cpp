@@ -16,7 +16,6 @@
 namespace fieldfab::frep {
 namespace {
 
-
 const Word open_word{"open", WordKind::function, "open(\"FILE\", NAME = VALUE, …)",
                      "the solid of a file that Fieldfab reads", "open(\"scan.nrrd\", threshold = 300)"};
 const Word part_word{"part", WordKind::function, "part(SHAPE, \"NAME\", \"COLOUR\")",
@@ -36,7 +35,7 @@ bool begins(std::string_view name, std::string_view start) {
 struct Definition {
   std::string_view name;
   std::optional<std::vector<std::string_view>> parameters;  ///< of a function
-  std::size_t first, body, end;     ///< tokens: the name, the first of the value, the one after the value
+  std::size_t first, body, end;  ///< tokens: the name, the first of the value, the one after the value
 };
 
 /// Tokens and statements of a text. A statement with an open parenthesis ends before a line that

@@ -8,7 +8,6 @@ namespace {
 
 constexpr std::uint32_t most_in_leaf = 4;
 
-
 }  // namespace
 
 std::vector<std::array<Vec3, 3>> corners_of_all(const TriangleMesh& mesh) {

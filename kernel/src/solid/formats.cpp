@@ -1,5 +1,5 @@
-#include "fieldfab/core/lower_case.h"
 #include "fieldfab/solid/formats.h"
+#include "fieldfab/core/lower_case.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Choice of the reader for a path.
-#include "fieldfab/core/lower_case.h"
 #include "fieldfab/volume/volume_file.h"
+#include "fieldfab/core/lower_case.h"
 
 #include <algorithm>
 #include <charconv>
