@@ -10,7 +10,7 @@
 namespace fieldfab::frep::shapes {
 namespace {
 
-const double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Point {
   double x, y;

@@ -6,7 +6,7 @@
 
 namespace fieldfab::frep::shapes {
 
-const double pi = std::numbers::pi;
+using std::numbers::pi;
 
 E sphere(const E& radius) { return length(x(), y(), z()) - radius; }
 
