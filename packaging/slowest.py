@@ -1,4 +1,4 @@
-"""Lists the slowest tests of JUnit reports: slowest.py REPORT.xml ... Prints the sum of each report and the 30 slowest."""
+"""Lists the slowest tests of JUnit reports: slowest.py REPORT.xml ... Prints each report's sum and the 30 slowest."""
 
 import pathlib
 import sys

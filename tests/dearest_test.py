@@ -43,4 +43,5 @@ def test_the_slowest_come_first(script, tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("sys.argv", ["slowest.py", str(tmp_path / "cpp.xml"), str(tmp_path / "python.xml")])
     slowest.main()
     assert [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()] == [
-        ["1.5", "all 1 of cpp"], ["7.5", "all 2 of python"], ["7.0", "python: cli_test: test_b"], ["1.5", "cpp: unit.A"]]
+        ["1.5", "all 1 of cpp"], ["7.5", "all 2 of python"],
+        ["7.0", "python: cli_test: test_b"], ["1.5", "cpp: unit.A"]]

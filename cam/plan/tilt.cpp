@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "fieldfab/core/linear_maps.h"
 #include "fieldfab/core/parallel.h"
 
 namespace fieldfab::cam {
@@ -16,7 +17,7 @@ double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b
 
 /// Spherical interpolation between two directions.
 Vec3 between(const Vec3& from, const Vec3& to, double share) {
-  return Eigen::Quaterniond::Identity().slerp(share, Eigen::Quaterniond::FromTwoVectors(from, to)) * from;
+  return Eigen::Quaterniond::Identity().slerp(share, turn_between(from, to)) * from;
 }
 
 /// The axis, limited to the angle `most` from z.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/linear_maps.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
@@ -16,18 +17,7 @@ namespace {
 
 using frep::Expression;
 
-constexpr std::size_t most_planes_of_turned =
-    40;  // solids of revolution with more planes are evaluated by their profile
-
-/// Smallest and largest factor by which a map stretches.
-struct Stretch {
-  double least, greatest;
-  [[nodiscard]] bool is_even() const { return greatest - least < 1e-4 * greatest; }
-};
-Stretch stretch_of(const Eigen::Affine3d& placement) {
-  const Eigen::Vector3d values = placement.linear().jacobiSvd().singularValues();
-  return {values.minCoeff(), values.maxCoeff()};
-}
+constexpr std::size_t most_planes_of_turned = 40;  // with more, solids of revolution are evaluated by their profile
 
 /// Returns a x + b y + c z + d without terms that are 0.
 Expression linear(const Vec3& slope, double shift) {
@@ -123,14 +113,14 @@ class Mesh final : public Leaf {
 /// Applies a placement to a Field; values remain lower bounds of the distance.
 FieldPtr placed(const FieldPtr& field, const Eigen::Affine3d& placement) {
   if (placement.isApprox(Eigen::Affine3d::Identity(), 0)) return field;
-  const double least = stretch_of(placement).least;
+  const double least = stretch_of(placement.linear()).least;
   const FieldPtr there = transform(field, placement);
   return std::abs(least - 1) < 1e-5 ? there : scaled_values(there, least);
 }
 
 Expression placed(const Expression& formula, const Eigen::Affine3d& placement) {
   const Eigen::Affine3d back = placement.inverse();
-  const double least = stretch_of(placement).least;
+  const double least = stretch_of(placement.linear()).least;
   const auto row = [&](int i) { return linear(back.linear().row(i).transpose(), back.translation()[i]); };
   const Expression there = remap(formula, row(0), row(1), row(2));
   return std::abs(least - 1) < 1e-5 ? there : there * least;
@@ -141,7 +131,7 @@ class ExtrudedLeaf final : public Leaf {
   ExtrudedLeaf(Region region, double lower, double upper, const Eigen::Affine3d& placement)
       : region_(std::move(region)), lower_(lower), upper_(upper), placement_(placement) {}
   [[nodiscard]] Shape solid(const Making& making) const override {
-    const double growth = making.growth / stretch_of(placement_).least;
+    const double growth = making.growth / stretch_of(placement_.linear()).least;
     if (making.formulas_only) return {placed(formula(growth), placement_)};
     return {std::nullopt, placed(extruded_field(region_, lower_, upper_, growth), placement_)};
   }
@@ -156,11 +146,11 @@ class ExtrudedLeaf final : public Leaf {
                     placement_.linear(), placement_.translation());
   }
   [[nodiscard]] double steepness() const override {
-    const Stretch stretch = stretch_of(placement_);
+    const Stretch stretch = stretch_of(placement_.linear());
     return stretch.least / stretch.greatest;
   }
   [[nodiscard]] double thickness() const override {
-    return std::min(upper_ - lower_, region_.stroke()) * stretch_of(placement_).least;
+    return std::min(upper_ - lower_, region_.stroke()) * stretch_of(placement_.linear()).least;
   }
 
  private:
@@ -215,7 +205,7 @@ class TurnedLeaf final : public Leaf {
   TurnedLeaf(TurnedShape shape, const Eigen::Affine3d& placement) : shape_(std::move(shape)), placement_(placement) {}
 
   [[nodiscard]] Shape solid(const Making& making) const override {
-    const double growth = making.growth / stretch_of(placement_).least;
+    const double growth = making.growth / stretch_of(placement_.linear()).least;
     if (making.formulas_only) no_formula("rotate_extrude");
     // Both halves of the profile, so that the axis is not part of its boundary.
     Eigen::Affine2d mirror = Eigen::Affine2d::Identity();
@@ -240,10 +230,10 @@ class TurnedLeaf final : public Leaf {
     return image_of({{-r, -r, flat.min().y()}, {r, r, flat.max().y()}}, placement_.linear(), placement_.translation());
   }
   [[nodiscard]] double steepness() const override {
-    const Stretch stretch = stretch_of(placement_);
+    const Stretch stretch = stretch_of(placement_.linear());
     return (shape_.turn.fragments > 0 ? std::cos(shape_.turn.step / 2) : 1) * stretch.least / stretch.greatest;
   }
-  [[nodiscard]] double thickness() const override { return shape_.profile.stroke() * stretch_of(placement_).least; }
+  [[nodiscard]] double thickness() const override { return shape_.profile.stroke() * stretch_of(placement_.linear()).least; }
 
  private:
   /// The wedge between the ends of a partial turn.
@@ -286,7 +276,7 @@ class Cone final : public Leaf {
     const double height = upper - lower, slant = std::hypot(height, r2 - r1);
     const Expression z = Expression::z(), r = sqrt(square(Expression::x()) + square(Expression::y()));
     const Expression side = ((r - r1) * height - (z - lower) * (r2 - r1)) / slant;
-    return {placed(max(side, max(lower - z, z - upper)) - making.growth / stretch_of(placement_).least, placement_)};
+    return {placed(max(side, max(lower - z, z - upper)) - making.growth / stretch_of(placement_.linear()).least, placement_)};
   }
   [[nodiscard]] Polyhedron polyhedron() const override {
     constexpr int fine = 180;
@@ -299,12 +289,12 @@ class Cone final : public Leaf {
     return image_of({{-r, -r, cone_.lower}, {r, r, cone_.upper}}, placement_.linear(), placement_.translation());
   }
   [[nodiscard]] double steepness() const override {
-    const Stretch stretch = stretch_of(placement_);
+    const Stretch stretch = stretch_of(placement_.linear());
     const double height = cone_.upper - cone_.lower;
     return height / std::hypot(height, cone_.r2 - cone_.r1) * stretch.least / stretch.greatest;
   }
   [[nodiscard]] double thickness() const override {
-    return std::min(cone_.upper - cone_.lower, 2 * std::max(cone_.r1, cone_.r2)) * stretch_of(placement_).least;
+    return std::min(cone_.upper - cone_.lower, 2 * std::max(cone_.r1, cone_.r2)) * stretch_of(placement_.linear()).least;
   }
   [[nodiscard]] bool convex() const override { return true; }
 
@@ -317,7 +307,7 @@ class Ball final : public Leaf {
  public:
   Ball(double radius, const Eigen::Affine3d& placement) : radius_(radius), placement_(placement) {}
   [[nodiscard]] Shape solid(const Making& making) const override {
-    const Stretch stretch = stretch_of(placement_);
+    const Stretch stretch = stretch_of(placement_.linear());
     if (stretch.is_even()) {
       const Vec3 at = placement_.translation();
       const frep::Expression ball = frep::shapes::sphere(radius_ * stretch.greatest + making.growth);
@@ -342,13 +332,13 @@ class Ball final : public Leaf {
     return {placement_.translation() - reach, placement_.translation() + reach};
   }
   [[nodiscard]] double steepness() const override {
-    const Stretch stretch = stretch_of(placement_);
+    const Stretch stretch = stretch_of(placement_.linear());
     return stretch.least / stretch.greatest;
   }
-  [[nodiscard]] double thickness() const override { return 2 * radius_ * stretch_of(placement_).least; }
+  [[nodiscard]] double thickness() const override { return 2 * radius_ * stretch_of(placement_.linear()).least; }
   [[nodiscard]] bool convex() const override { return true; }
   [[nodiscard]] std::optional<BallShape> ball() const override {
-    const Stretch stretch = stretch_of(placement_);
+    const Stretch stretch = stretch_of(placement_.linear());
     if (!stretch.is_even()) return std::nullopt;
     return BallShape{placement_.translation(), radius_ * stretch.greatest};
   }

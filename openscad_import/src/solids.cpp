@@ -8,6 +8,7 @@
 
 #include "evaluator.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/linear_maps.h"
 #include "imports.h"
 
 namespace fieldfab::openscad {
@@ -28,7 +29,7 @@ void add_face(Polyhedron& solid, const std::vector<std::uint32_t>& corners) {
     area += solid.vertices[corners[i]].cross(solid.vertices[corners[(i + 1) % corners.size()]]);
   if (!(area.norm() > 0)) return fan();
   const Vec3 normal = area.normalized();
-  const Eigen::Quaterniond flatten = Eigen::Quaterniond::FromTwoVectors(normal, Vec3::UnitZ());
+  const Eigen::Quaterniond flatten = turn_between(normal, Vec3::UnitZ());
   Outline outline;
   for (const std::uint32_t i : corners) outline.push_back((flatten * solid.vertices[i]).head<2>());
   bool convex = true;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/linear_maps.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/mesh/exact_solid.h"
@@ -47,7 +47,7 @@ void take_from(const OpenedSolid& leaf, const Eigen::Affine3d& to_inner, Solid& 
 /// coordinates if that is affine, otherwise unchanged.
 double voxel_in_space(double voxel, const std::optional<Eigen::Affine3d>& to_inner) {
   if (!to_inner) return voxel;
-  return voxel / to_inner->linear().jacobiSvd().singularValues()[0];
+  return voxel / stretch_of(to_inner->linear()).greatest;
 }
 
 }  // namespace
