@@ -233,7 +233,9 @@ class TurnedLeaf final : public Leaf {
     const Stretch stretch = stretch_of(placement_.linear());
     return (shape_.turn.fragments > 0 ? std::cos(shape_.turn.step / 2) : 1) * stretch.least / stretch.greatest;
   }
-  [[nodiscard]] double thickness() const override { return shape_.profile.stroke() * stretch_of(placement_.linear()).least; }
+  [[nodiscard]] double thickness() const override {
+    return shape_.profile.stroke() * stretch_of(placement_.linear()).least;
+  }
 
  private:
   /// The wedge between the ends of a partial turn.
@@ -276,7 +278,8 @@ class Cone final : public Leaf {
     const double height = upper - lower, slant = std::hypot(height, r2 - r1);
     const Expression z = Expression::z(), r = sqrt(square(Expression::x()) + square(Expression::y()));
     const Expression side = ((r - r1) * height - (z - lower) * (r2 - r1)) / slant;
-    return {placed(max(side, max(lower - z, z - upper)) - making.growth / stretch_of(placement_.linear()).least, placement_)};
+    return {placed(max(side, max(lower - z, z - upper)) - making.growth / stretch_of(placement_.linear()).least,
+                   placement_)};
   }
   [[nodiscard]] Polyhedron polyhedron() const override {
     constexpr int fine = 180;
@@ -294,7 +297,8 @@ class Cone final : public Leaf {
     return height / std::hypot(height, cone_.r2 - cone_.r1) * stretch.least / stretch.greatest;
   }
   [[nodiscard]] double thickness() const override {
-    return std::min(cone_.upper - cone_.lower, 2 * std::max(cone_.r1, cone_.r2)) * stretch_of(placement_.linear()).least;
+    return std::min(cone_.upper - cone_.lower, 2 * std::max(cone_.r1, cone_.r2)) *
+           stretch_of(placement_.linear()).least;
   }
   [[nodiscard]] bool convex() const override { return true; }
 
