@@ -483,6 +483,7 @@ SCRIPTS = {
     "freecad_workbench/resources/examples/make.py": "writes the tracked documents, which hosts/freecad opens",
     "freecad_workbench/resources/translations/update.py": "hosts/words_test.py compares what it collects",
     "packaging/cam_examples.py": "writes docs/cam; hosts/cam_test.py carries out the jobs",
+    "packaging/lint.py": "lint_test.py plants faults for it; .ci/run runs it on all files",
     "examples/simulation/slotted_ball.py": "hosts/simulate_test.py runs the script, and simulates its program",
     "tests/bench/adaptive_figures.py": "a benchmark, which takes minutes",
     "tests/bench/certainty_figures.py": "a benchmark, which takes minutes",
@@ -586,7 +587,8 @@ def options():
     found = {verb: told(COMMAND, verb, "--help") | told(COMMAND, "--help") for verb in PLACEHOLDERS["VERB"]}
     bricks = told("/usr/bin/python3", "-m", "fieldfab.bricks", "--help",
                   env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
-    return {**found, None: set.union(bricks, *found.values())}
+    developer = told(ROOT / "dev", "--help") | told("/usr/bin/python3", ROOT / "packaging" / "dearest.py", "--help")
+    return {**found, None: set.union(bricks, developer, *found.values())}
 
 
 def test_options_exist(options):
