@@ -105,7 +105,9 @@ def sections(text):
                 day(heading["date"])
             if made and numbers(heading["version"]) >= numbers(made[-1]["version"]):
                 raise Refusal(f"{where}: {heading['version']} is below {made[-1]['version']}; the newest is first")
-            made.append({**heading.groupdict(), "lines": []})
+            section: dict = heading.groupdict()
+            section["lines"] = []
+            made.append(section)
         elif not made and line or not re.match(r"### \S|- \S|  \S|$" if open_entry else r"### \S|$", line):
             raise Refusal(f"{where}: this is no heading, entry or continuation of an entry: {line[:60]}")
         elif made:

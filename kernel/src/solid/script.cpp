@@ -36,8 +36,9 @@ std::vector<std::string> python_environment() {
       std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
   for (const char* folder : {"python", "lib/python3/dist-packages", ".."}) {
     const std::filesystem::path modules = (prefix / folder).lexically_normal();
-    if (prefix != "/usr" && std::filesystem::exists(modules / "fieldfab", ignored))
-      path = modules.string() + (path.empty() ? "" : ":" + path);
+    if (prefix == "/usr" || !std::filesystem::exists(modules / "fieldfab", ignored)) continue;
+    if (!path.empty()) path.insert(0, ":");
+    path.insert(0, modules.string());
   }
   if (!path.empty()) all.push_back("PYTHONPATH=" + path);
   return all;

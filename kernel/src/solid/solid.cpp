@@ -79,7 +79,7 @@ Solid solid_of(FieldPtr field, std::string kind, std::optional<Box> bounds, bool
   auto opened = std::make_shared<OpenedSolid>();
   opened->field = std::move(field);
   opened->kind = std::move(kind);
-  opened->bounds = bounds;
+  opened->bounds = std::move(bounds);
   opened->flat = flat;
   return solid_of(opened);
 }
