@@ -358,6 +358,7 @@ def test_groups_of_nodes(page, folder):
     page.until(lambda: page.find(".frame-title").text == "Rings", "the new name")
     ActionChains(page.browser).double_click(page.find(".frame-title")).perform()
     page.until(lambda: page.node("Rings"), "the group, collapsed")
+    page.saved()  # a reload while a document is being saved asks whose changes are to be kept
     page.browser.refresh()
     page.until(lambda: page.node("Rings"), "the group, after a reload")
     page.settled()
