@@ -1,25 +1,14 @@
 """packaging/dearest.py lists objects with the sources that were compiled as one; packaging/slowest.py lists tests."""
 
-import importlib.util
 import pathlib
 
-import pytest
+import dearest
+import slowest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
-@pytest.fixture
-def script():
-    def load(name):
-        specification = importlib.util.spec_from_file_location(name, ROOT / "packaging" / f"{name}.py")
-        module = importlib.util.module_from_spec(specification)
-        specification.loader.exec_module(module)
-        return module
-
-    return load
-
-
-def test_the_dearest_come_first_with_their_sources(script, tmp_path):
+def test_the_dearest_come_first_with_their_sources(tmp_path):
     together = tmp_path / "cam" / "CMakeFiles" / "fieldfab_cam.dir" / "Unity" / "unity_1_cxx.cxx"
     together.parent.mkdir(parents=True)
     together.write_text(f'#include "{ROOT}/cam/plan/order.cpp"\n\n#include "{ROOT}/cam/plan/tilt.cpp"\n')
@@ -28,12 +17,11 @@ def test_the_dearest_come_first_with_their_sources(script, tmp_path):
             (2000, 14400, f"{together.relative_to(tmp_path)}.o"), (0, 99000, "lib/libfieldfab.so")]
     log = "".join(f"{start}\t{end}\t0\t{name}\tabc\n" for start, end, name in rows)
     (tmp_path / ".ninja_log").write_text(f"# ninja log v5\n{log}")
-    assert script("dearest").table(tmp_path, 20).splitlines()[2:] == [
+    assert dearest.table(tmp_path, 20).splitlines()[2:] == [
         "| 12 | `cam/plan`: order.cpp, tilt.cpp |", "| 2 | `kernel/src/mesh`: winding.cpp |", "| 15 | all 2 |"]
 
 
-def test_the_slowest_come_first(script, tmp_path, capsys, monkeypatch):
-    slowest = script("slowest")
+def test_the_slowest_come_first(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(slowest, "COUNT", 2)
     (tmp_path / "cpp.xml").write_text('<testsuite><testcase name="unit.A" classname="unit.A" time="1.5"/></testsuite>')
     (tmp_path / "python.xml").write_text('<testsuites><testsuite>'

@@ -1,23 +1,15 @@
 """packaging/lint.py finds planted faults, and leaves pytest's fixtures alone."""
 
-import importlib.util
 import pathlib
 
+import lint
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
-@pytest.fixture(scope="module")
-def lint():
-    specification = importlib.util.spec_from_file_location("lint", ROOT / "packaging" / "lint.py")
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
-    return module
-
-
 @pytest.fixture
-def found(lint, tmp_path, monkeypatch):
+def found(tmp_path, monkeypatch):
     """Returns a function that writes files of a temporary tree, {name: text}, and returns pyflakes' findings."""
     monkeypatch.setattr(lint, "ROOT", tmp_path)
 
@@ -49,7 +41,7 @@ def test_a_package_offers_what_it_imports(found):
     assert found({"__init__.py": "from os import *\nfrom re import escape\n"}) == []
 
 
-def test_a_missing_npm_is_told(lint, monkeypatch):
+def test_a_missing_npm_is_told(monkeypatch):
     monkeypatch.setattr(lint.build_page.shutil, "which", lambda name: None)
     monkeypatch.setattr(lint, "WORK", pathlib.Path("/nonexistent"))
     with pytest.raises(lint.build_page.Missing, match="no npm"):

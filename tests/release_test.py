@@ -3,7 +3,6 @@
 The checks run in small git repositories. Their packages are real .deb files, which a stand-in for ./dev package copies
 to out/packages."""
 
-import importlib.util
 import json
 import os
 import pathlib
@@ -14,6 +13,7 @@ import subprocess
 import sys
 
 import pytest
+import release as script
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 VERSION, DATE = "7.8.9", "2026-11-27"
@@ -91,14 +91,6 @@ def change(folder, name, old, new):
 
 
 @pytest.fixture(scope="module")
-def module():
-    specification = importlib.util.spec_from_file_location("release", ROOT / "packaging" / "release.py")
-    made = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(made)
-    return made
-
-
-@pytest.fixture(scope="module")
 def debs(tmp_path_factory):
     """Returns a folder with the packages of debian/control, which are empty."""
     folder = tmp_path_factory.mktemp("debs")
@@ -113,10 +105,10 @@ def debs(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def prepared(tmp_path_factory, module):
+def prepared(tmp_path_factory):
     """Returns a repository whose files come from this tree, with another CHANGELOG.md, ready for a release."""
     folder = tmp_path_factory.mktemp("prepared") / "tree"
-    places = [module.SOURCE, *module.COPIES, *module.COPIES_WITHOUT_PATCH]
+    places = [script.SOURCE, *script.COPIES, *script.COPIES_WITHOUT_PATCH]
     for name in {name for name, _ in places} | {"packaging/release.py", "debian/control", ".gitignore"}:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
@@ -148,20 +140,20 @@ def results(said):
 # This tree
 
 
-def test_versions_of_the_tree_agree(module):
-    assert module.disagreements() == []
+def test_versions_of_the_tree_agree():
+    assert script.disagreements() == []
 
 
-def test_the_changelog_has_the_form_of_contributing(module):
-    newest = module.sections((ROOT / "CHANGELOG.md").read_text())[0]
-    assert newest["version"] == module.version()
-    kinds = [kind for kind, _ in module.entries(newest["lines"])]
+def test_the_changelog_has_the_form_of_contributing():
+    newest = script.sections((ROOT / "CHANGELOG.md").read_text())[0]
+    assert newest["version"] == script.version()
+    kinds = [kind for kind, _ in script.entries(newest["lines"])]
     assert kinds[:1] in ([], ["heading"]) and ("heading", "heading") not in set(zip(kinds, kinds[1:]))
 
 
-def test_setup_py_reads_the_version_of_cmake(module):
+def test_setup_py_reads_the_version_of_cmake():
     pattern = re.search(r'(?m)^VERSION = re\.search\(r"(.*?)",', (ROOT / "setup.py").read_text())[1]
-    assert re.search(pattern, (ROOT / "CMakeLists.txt").read_text())[1] == module.version()
+    assert re.search(pattern, (ROOT / "CMakeLists.txt").read_text())[1] == script.version()
 
 
 # The checks
@@ -319,15 +311,15 @@ def test_another_form_is_refused_with_its_line(tree, old, new, words):
 # --set and --date
 
 
-def texts(tree, module):
+def texts(tree):
     return {name: (tree / name).read_text()
-            for name, _ in [module.SOURCE, *module.COPIES, *module.COPIES_WITHOUT_PATCH]}
+            for name, _ in [script.SOURCE, *script.COPIES, *script.COPIES_WITHOUT_PATCH]}
 
 
-def test_a_version_after_a_release_begins_a_section(tree, module):
-    before = texts(tree, module)
+def test_a_version_after_a_release_begins_a_section(tree):
+    before = texts(tree)
     release_py(tree, "--set", "7.10.0")
-    after = texts(tree, module)
+    after = texts(tree)
     assert all(after[name] != before[name] for name in before)
     assert after["CHANGELOG.md"] == before["CHANGELOG.md"].replace(SECTION, f"## 7.10.0 (not released)\n\n{SECTION}")
     assert after["debian/changelog"].startswith("fieldfab (7.10.0) unstable; urgency=medium\n")
@@ -337,10 +329,10 @@ def test_a_version_after_a_release_begins_a_section(tree, module):
     assert "ok versions" in release_py(tree, "--skip-packages", code=1)
 
 
-def test_a_version_before_its_release_is_renamed(tree, module):
+def test_a_version_before_its_release_is_renamed(tree):
     release_py(tree, "--set", "7.9.0")
     release_py(tree, "--set", "8.0.0")
-    after = texts(tree, module)
+    after = texts(tree)
     assert re.findall(r"(?m)^## (.*)", after["CHANGELOG.md"]) == [
         "8.0.0 (not released)", f"{VERSION}, {DATE}", "7.8.0, 2026-01-02"]
     assert re.findall(r"(?m)^fieldfab \((.*?)\)", after["debian/changelog"])[:2] == ["8.0.0", VERSION]

@@ -1,22 +1,13 @@
 """The site of ./dev docs: Doxygen and Sphinx build it without a warning, and its internal links resolve."""
 
-import importlib.util
 import os
 import subprocess
 
-import pytest
+import make_site
 from conftest import BUILD, ROOT
 
 
-@pytest.fixture(scope="module")
-def make_site():
-    specification = importlib.util.spec_from_file_location("make_site", ROOT / "packaging" / "make_site.py")
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
-    return module
-
-
-def test_the_site_is_made_without_a_warning(make_site):
+def test_the_site_is_made_without_a_warning():
     done = subprocess.run(["/usr/bin/python3", ROOT / "packaging" / "make_site.py"],
                           env={**os.environ, "FIELDFAB_BUILD": str(BUILD)},
                           capture_output=True, text=True)
@@ -28,7 +19,7 @@ def test_the_site_is_made_without_a_warning(make_site):
         assert words in (make_site.SITE / page).read_text(encoding="utf-8"), page
 
 
-def test_a_link_that_leads_nowhere_is_found(make_site, tmp_path, monkeypatch):
+def test_a_link_that_leads_nowhere_is_found(tmp_path, monkeypatch):
     monkeypatch.setattr(make_site, "SITE", tmp_path)
     (tmp_path / "a.html").write_text(
         '<a href="b.html#x">b</a> <a href="#here">c</a> <img src="c.png"> <a href="https://example.org">d</a>')

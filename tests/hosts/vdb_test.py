@@ -9,6 +9,7 @@ import subprocess
 import fieldfab as ff
 import pytest
 from conftest import COMMAND
+from family import sample_or_all
 from openvdb_module import openvdb
 
 LENGTH = b"\xf0\xff\xff\xff"  # nearly 4 GiB
@@ -56,7 +57,8 @@ def test_a_header_gets_no_more_memory_than_its_file_has(tmp_path):
     start = whole.index(b"Tree_float") - 24  # of the second grid
     places = {*range(0, HEADER), *range(start, start + HEADER)}
     before, refused = forget_peak(), 0
-    for place in sorted(places):
+    tried = sorted(places)[::sample_or_all(5, 1)]
+    for place in tried:
         damaged = bytearray(whole)
         damaged[place:place + 4] = LENGTH
         path.write_bytes(damaged)
@@ -65,7 +67,7 @@ def test_a_header_gets_no_more_memory_than_its_file_has(tmp_path):
         except ff.Error as error:
             assert str(error).startswith(f"{path}: ") and "\n" not in str(error)
             refused += 1
-    assert refused > 40
+    assert refused > len(tried) / 20
     assert peak() < before + 500
 
 

@@ -10,7 +10,7 @@ from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from web_server import Server, chromium
 
-SECONDS = 40  # time limit of each step on a busy machine
+SECONDS = 200  # time limit of each step on a busy machine
 SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
 
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "../cam_tools.h"
+#include "../family.h"
 #include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/solid/open.h"
@@ -48,7 +49,7 @@ std::vector<Part> corpus() {
       {"mtm_az_16", scaled("/frep/mtm_az/mtm_az_16.math", 6), {{-14, -16, -1}, {-9, 16, 14.5}}},
       {"cthead",
        scale(united(open_model(TEST_DATA "/ct/cthead")).field, Vec3::Constant(0.1)),
-       {{4, 12, 8}, {18, 22, 19.8}},
+       {{6, 13, 8}, {sample_or_all(13.0, 18.0), sample_or_all(20.0, 22.0), 19.8}},
        0.1},
   };
 }

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
 
+#include "../family.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/core/file.h"
@@ -124,10 +126,14 @@ class TextForms : public testing::Test {
 };
 
 TEST_F(TextForms, OfTheGalleryAreValidReadEitherWay) {
-  int count = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(TEST_DATA) / ".." / ".." / "examples")) {
-    if (entry.path().extension() != ".frep") continue;
-    const Solid model = united(open_model(entry.path()));
+  std::vector<fs::path> models;
+  for (const auto& entry : fs::directory_iterator(fs::path(TEST_DATA) / ".." / ".." / "examples"))
+    if (entry.path().extension() == ".frep") models.push_back(entry.path());
+  EXPECT_GE(models.size(), 20U);
+  std::sort(models.begin(), models.end());
+  for (std::size_t i = 0; i < models.size(); i += sample_or_all(3, 1)) {
+    const fs::path& path = models[i];
+    const Solid model = united(open_model(path));
     FieldPtr solid = model.field;
     const SolidBounds found = solid_bounds(*solid);
     Box bounds = found.box.grown(0.5);
@@ -138,17 +144,13 @@ TEST_F(TextForms, OfTheGalleryAreValidReadEitherWay) {
     ContourSettings settings{bounds.size().maxCoeff() / 24};
     settings.most_divided = 0;
     const ContourMesh mesh = contour(*solid, bounds, settings);
-    ASSERT_FALSE(mesh.triangles.empty()) << entry.path();
-    expect_valid_and_the_same(mesh, entry.path().filename().string());
-    ++count;
+    ASSERT_FALSE(mesh.triangles.empty()) << path;
+    expect_valid_and_the_same(mesh, path.filename().string());
   }
-  EXPECT_GE(count, 20);
 }
 
-/// FIELDFAB_TEXT_FORMS sets the number of solids; the full proof uses 500.
 TEST_F(TextForms, OfRandomSolidsAreValidReadEitherWay) {
-  const char* wanted = std::getenv("FIELDFAB_TEXT_FORMS");
-  const int count = wanted != nullptr ? std::atoi(wanted) : 100;
+  const int count = sample_or_all(30, 500);
   std::mt19937 random(20261124);
   int meshes = 0;
   for (int i = 0; i < count; ++i) {

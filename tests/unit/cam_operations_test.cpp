@@ -8,6 +8,7 @@
 #include <random>
 
 #include "../cam_tools.h"
+#include "../family.h"
 #include "fieldfab/cam/plan/material.h"
 #include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/cam/plan/planes.h"
@@ -173,7 +174,7 @@ struct Chips {
 TEST(Adaptive, KeepsItsEngagementAndLeavesNothing) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(12, 48), y(12, 33), size(2, 5), turn(0, 6);
-  for (int trial = 0; trial < 4; ++trial) {
+  for (int trial = sample_or_all(1, 0); trial < 4; trial += sample_or_all(2, 1)) {
     Loops area{rectangle(60, 45)};
     for (int island = 0; island < trial; ++island) {
       // Far enough apart that a tool of 4 mm can turn between them.
@@ -406,7 +407,7 @@ TEST(Rough, ClearsWhatTheTipReachesAndNothingElse) {
     for (const Path& path : paths)
       for (std::size_t i = 0; i + 1 < path.points.size() + (path.closed ? 1 : 0); ++i) {
         const PathPoint &a = path.points[i], &b = path.points[(i + 1) % path.points.size()];
-        for (int k = 0; k <= 10; ++k) {
+        for (int k = 0; k <= 10; k += sample_or_all(5, 1)) {
           const Vec3 p = place_between(a.at, b.at, a.bulge, k / 10.0);
           EXPECT_GE(p.z(), tips->tip(p.head<2>()) - 0.02) << p.transpose();
         }

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "../cam_tools.h"
+#include "../family.h"
 #include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/cam/plan/tilt.h"
 #include "fieldfab/field/operations.h"
@@ -101,7 +102,7 @@ TEST(Tilted, TouchesThePartWithTheBallOnly) {
     const TipSurface tips(surface, c.tool.profile());
     FinishSettings finish;
     finish.area = Rectangle::of(bounds);
-    finish.stepover = 6.1;
+    finish.stepover = sample_or_all(9.0, 6.1);
     const std::vector<Path> upright = raster(tips, finish);
     const FreeSpace space(solid, bounds);
     TiltSettings settings;

@@ -62,8 +62,8 @@ TEST(MeshDistances, AgreeWithTheMeshFieldOnOverlapsAndInvertedParts) {
   TriangleMesh mesh = ball_at({0, 0, 0});
   append(mesh, ball_at({1.1, 0.2, 0.1}), false);
   append(mesh, ball_at({-2.5, 0, 0}), true);
-  expect_as_the_field(mesh, {{-4.03, -1.51, -1.52}, 0.11, {60, 28, 28}}, 0.25);
-  expect_as_the_field(mesh, {{-4.03, -1.51, -1.52}, 0.13, {52, 24, 24}}, 2.0);
+  expect_as_the_field(mesh, {{-4.03, -1.51, -1.52}, 0.19, {35, 16, 16}}, 0.4);
+  expect_as_the_field(mesh, {{-4.03, -1.51, -1.52}, 0.23, {29, 14, 14}}, 2.0);
 }
 
 TEST(MeshDistances, HoldOnPlacesThatLieOnEdgesAndFaces) {

@@ -13,7 +13,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
-#include "hole_lid.h"
+#include "mesh/cgal/hole_lid.h"
 #include "triangle_tree.h"
 
 namespace fieldfab {

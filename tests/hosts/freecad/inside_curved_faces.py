@@ -12,6 +12,7 @@ import MeshPart
 import numpy as np
 import Part
 import pytest
+from family import sample_or_all
 
 from fieldfab_workbench import kernel, mistakes, shape_files
 from fieldfab_workbench.brep import solid as brep
@@ -119,9 +120,9 @@ def test_free_forms_become_smooth_faces(document):
 def test_what_has_no_such_faces_keeps_its_triangles(document):
     """A lattice is no CAD part: it has flat faces, as before."""
     solid = solids.create(frep_solid.FrepSolid, document)
-    solid.Expression, solid.VoxelSize = "sphere(6) & shell(gyroid(5), 0.8)", 0.5
+    solid.Expression, solid.VoxelSize = "sphere(6) & shell(gyroid(5), 0.8)", 0.7
     shape = part_shape.create(document, solid)
-    shape.MostTriangles = 6000
+    shape.MostTriangles = 2500
     document.recompute()
     assert shape.isValid(), shape.getStatusString()
     assert shape.Shape.isValid() and shape.Shape.Volume == pytest.approx(solid.Volume.Value, rel=0.03)
@@ -165,10 +166,11 @@ def body(generator):
 
 
 def test_random_designs_are_right_or_left_alone():
-    """Of 48 random designs three quarters get their few faces at least; each that does is whole and has the mesh's
+    """Three quarters of the random designs get their few faces at least; each that does is whole and has the mesh's
     volume."""
     fieldfab, tried, made = kernel.load(), 0, 0
-    for seed in (*range(100, 124), *range(200, 224)):
+    count = sample_or_all(6, 24)
+    for seed in (*range(100, 100 + count), *range(200, 200 + count)):
         generator = random.Random(seed)
         text = body(generator)
         for _ in range(generator.randint(1, 3)):
@@ -185,7 +187,7 @@ def test_random_designs_are_right_or_left_alone():
             made += 1
             assert_whole(shape)
             assert shape.Volume == pytest.approx(mesh.volume, rel=0.005), text
-    assert tried > 40 and made >= 0.75 * tried
+    assert tried > 2 * count * 5 // 6 and made >= 0.75 * tried
 
 
 @pytest.mark.parametrize("ending", ["step", "stp", "iges", "brep"])

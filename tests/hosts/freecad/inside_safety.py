@@ -119,18 +119,18 @@ def test_what_fails_keeps_what_it_had_and_so_do_those_made_of_it(document, tmp_p
 
 def test_fifty_solids(document, tmp_path, monkeypatch):
     spheres = [add(document, frep_solid.FrepSolid, Expression=f"r = 5\nsphere(r) & box(9, 9, {5 + i % 5})",
-                   VoxelSize=0.4) for i in range(20)]
+                   VoxelSize=0.8) for i in range(20)]
     for i, sphere in enumerate(spheres):
         sphere.Placement.Base = FreeCAD.Vector(4 * i, 0, 0)
     boxes = [document.addObject("Part::Box", f"Box{i}") for i in range(5)]
     document.recompute(boxes)
     made = list(spheres)
     made += [add(document, scan.Scan, File=ball(tmp_path / f"ball{i}.nrrd")) for i in range(5)]
-    made += [add(document, solid_from_object.SolidFromObject, Source=box, VoxelSize=0.4) for box in boxes]
+    made += [add(document, solid_from_object.SolidFromObject, Source=box, VoxelSize=0.8) for box in boxes]
     made += [add(document, combine.Combine, Operation=("Union", "Difference", "Intersection", "Blend")[i % 4],
-                 Sources=spheres[i:i + 2], VoxelSize=0.4) for i in range(12)]
+                 Sources=spheres[i:i + 2], VoxelSize=0.8) for i in range(12)]
     made += [add(document, modify.Modify, Operation=("Offset", "Shell", "Mirror", "Transform")[i % 4],
-                 Source=made[20 + i], VoxelSize=0.4) for i in range(8)]
+                 Source=made[20 + i], VoxelSize=0.8) for i in range(8)]
     assert len(made) == 50
     changed = spheres[3].Name
 

@@ -153,7 +153,7 @@ def test_modified_solids(document, operation):
 def test_lattice_infill(document, lattice):
     source = frep(document, "box(20, 20, 20)")
     obj = solids.create(modify.Modify, document)
-    voxel = 1 if lattice == "spinodal" else 0.5  # proofs take long there
+    voxel = 1 if lattice == "spinodal" else 0.8  # proofs take long there
     obj.Operation, obj.Source, obj.Lattice, obj.VoxelSize = "Lattice infill", source, lattice, voxel
     document.recompute()
     shell = 8000 - (20 - 2.4) ** 3

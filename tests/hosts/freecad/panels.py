@@ -58,8 +58,8 @@ def edit(obj):
     live(0.3)
 
 
-def shown(preview, *stages, seconds=40):
-    wait(lambda: preview.stage in stages and not preview._waiting, seconds, f"the preview to be {stages}")
+def shown(preview, *stages):
+    wait(lambda: preview.stage in stages and not preview._waiting, f"the preview to be {stages}")
 
 
 def key(widget, text="", code=0, modifiers=QtCore.Qt.NoModifier):

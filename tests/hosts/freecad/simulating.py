@@ -77,7 +77,7 @@ def simulated(document, opened, tmp_path, target=True, cell=0.2):
     form._add_tool(TOOL)
     window.shot("simulation_setup")
     button("Simulate").click()
-    wait(lambda: panel.run is not None and panel.playback.shown > 0 and panel.playback.player.idle, 30,
+    wait(lambda: panel.run is not None and panel.playback.shown > 0 and panel.playback.player.idle,
          "the simulation")
     live(0.3)
     return panel

@@ -9,11 +9,14 @@ import numpy as np
 from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
 
 
-def wait(until, seconds=30, what="it"):
+LIMIT = 300  # seconds, on a busy machine
+
+
+def wait(until, what="it"):
     """Processes events until the condition holds."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + LIMIT
     while not until():
-        assert time.monotonic() < end, f"waited {seconds} s for {what} in vain"
+        assert time.monotonic() < end, f"waited {LIMIT} s for {what} in vain"
         QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
         time.sleep(0.005)
 
@@ -21,7 +24,7 @@ def wait(until, seconds=30, what="it"):
 def live(seconds):
     """Processes events for `seconds`, and for as many rounds as an idle machine processes in that time."""
     end, rounds = time.monotonic() + seconds, iter(range(round(seconds / 0.03)))
-    wait(lambda: next(rounds, None) is None and time.monotonic() > end, seconds + 30, "the window")
+    wait(lambda: next(rounds, None) is None and time.monotonic() > end, "the window")
 
 
 def press(button):
@@ -32,7 +35,7 @@ def press(button):
     boxes[0].button(button).click()
     live(0.1)
     wait(lambda: not any(bar.isVisible() for bar in FreeCADGui.getMainWindow().findChildren(
-        QtWidgets.QProgressBar, "Making")), 120, "the solid")
+        QtWidgets.QProgressBar, "Making")), "the solid")
 
 
 def shot(name, panel=True):
@@ -60,7 +63,7 @@ def _uncover():
         hidden.extend(over)
         return not over
 
-    wait(is_free, 10, "the whole view")
+    wait(is_free, "the whole view")
     return hidden
 
 

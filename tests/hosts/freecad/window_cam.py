@@ -108,7 +108,7 @@ def new_setup(solid):
 
 def planned_in_panel():
     click("Plan")
-    wait(lambda: seen(QtWidgets.QPushButton, "Plan") and any("About" in w.text() for w in seen(QtWidgets.QLabel)), 60,
+    wait(lambda: seen(QtWidgets.QPushButton, "Plan") and any("About" in w.text() for w in seen(QtWidgets.QLabel)),
          "the plan")
 
 
@@ -165,7 +165,7 @@ def test_feeds_are_adjusted_by_a_tick(document):
     [box] = seen(QtWidgets.QCheckBox, "Adjust feeds to the cut")
     box.click()
     planned_in_panel()
-    wait(lambda: any("with the planned feeds" in label.text() for label in seen(QtWidgets.QLabel)), 60, "both times")
+    wait(lambda: any("with the planned feeds" in label.text() for label in seen(QtWidgets.QLabel)), "both times")
     assert setup.AdjustFeeds and program.Seconds < seconds == pytest.approx(program.PlannedSeconds)
     window.shot("cam_feeds")
     press(Button.Ok)
@@ -184,7 +184,7 @@ def test_what_is_wrong_is_said_beside_the_setting(document):
     operation = setup.Operations[0]
     operation.Plane, operation.Beta = "view", 30
     click("Plan")
-    wait(lambda: seen(QtWidgets.QPushButton, "Plan"), 20)
+    wait(lambda: seen(QtWidgets.QPushButton, "Plan"))
     live(0.2)
     assert any("cannot tilt" in w.text() for w in row("Plane").findChildren(QtWidgets.QLabel) if w.isVisible())
     press(Button.Cancel)
@@ -246,7 +246,7 @@ def test_the_window_answers_while_a_plan_is_made_and_stop_ends_it(document):
     [stop] = seen(QtWidgets.QPushButton, "Stop")
     began = time.monotonic()
     stop.click()
-    wait(lambda: seen(QtWidgets.QPushButton, "Plan"), 5, "the plan to stop")
+    wait(lambda: seen(QtWidgets.QPushButton, "Plan"), "the plan to stop")
     print(f"the window answers within {1000 * min(beats):.0f} ms, "
           f"the plan stops after {1000 * (time.monotonic() - began):.0f} ms")
     assert min(beats) < 0.1 and not cam_setup.programs_of(setup)

@@ -44,11 +44,11 @@ def test_the_panel_says_in_amber_where_a_valid_mesh_is_not_certain(document, pan
     live(0.3)
     assert colour(panel.message) == COLOURS[True] and "certain" not in panel.message.text()
     panel.text.setPlainText("move(" + TOUCHING + ", dz = 1)")
-    wait(lambda: "not certain at" in panel.message.text(), 40, "the amber line")
+    wait(lambda: "not certain at" in panel.message.text(), "the amber line")
     assert colour(panel.message) == AMBER
     press(Button.Apply)
     assert solid.isValid()
-    wait(lambda: colour(panel.message) == AMBER and panel.message.text().endswith(solid.Certainty), 40,
+    wait(lambda: colour(panel.message) == AMBER and panel.message.text().endswith(solid.Certainty),
          "the solid's certainty")
     press(Button.Cancel)
 
@@ -97,7 +97,7 @@ def test_the_cross_check_says_it_too(document, monkeypatch, text, state):
     made, real = [], check_panel.CheckPanel.__init__
     monkeypatch.setattr(check_panel.CheckPanel, "__init__", lambda self, obj: made.append(self) or real(self, obj))
     FreeCADGui.runCommand("Fieldfab_CrossCheck")
-    wait(lambda: made[0].report is not None, 60, "the report")
+    wait(lambda: made[0].report is not None, "the report")
     broken = [row for row in made[0].report.rows if not row.passed]
     assert colour(made[0].verdict) == COLOURS[False if broken else state]
     if not broken:

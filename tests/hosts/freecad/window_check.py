@@ -86,7 +86,7 @@ def test_closing_ends_a_long_check(document, monkeypatch):
     assert made[0].report is None and task.is_alive()
     press(QtWidgets.QDialogButtonBox.Close)
     closed = time.monotonic()
-    wait(lambda: not task.is_alive(), 10, "the thread's end")
+    wait(lambda: not task.is_alive(), "the thread's end")
     print(f"longest silence {1000 * beat.longest:.0f} ms, ended after {1000 * (time.monotonic() - closed):.0f} ms")
     assert not FreeCADGui.Control.activeDialog() and task.error.kind == "cancelled"
 

@@ -29,7 +29,7 @@ class Hand:
         self.clicks = self.drags = 0
 
     def click(self, widget, place=None, held=None):
-        wait(lambda: widget.isEnabled() and pointer.is_seen(widget), 20, f"{widget.objectName() or widget} to be seen")
+        wait(lambda: widget.isEnabled() and pointer.is_seen(widget), f"{widget.objectName() or widget} to be seen")
         pointer.click(widget, place, held)
         self.clicks += 1
         live(0.3)
@@ -72,7 +72,7 @@ def blank():
 
 
 def made():
-    wait(lambda: not any(bar.objectName() == "Making" for bar in seen(QtWidgets.QProgressBar)), 60, "the solid")
+    wait(lambda: not any(bar.objectName() == "Making" for bar in seen(QtWidgets.QProgressBar)), "the solid")
     live(0.5)
 
 
@@ -84,11 +84,11 @@ def from_gallery(hand, panels, name, drags):
     hand.line(gallery.pictures, name)
     hand.click(gallery.button)
     panel = panels[-1]
-    wait(lambda: panel.preview.stage in ("final", "detail") and panel.handles.handles, 60, "the solid and its arrows")
+    wait(lambda: panel.preview.stage in ("final", "detail") and panel.handles.handles, "the solid and its arrows")
     live(0.5)
     for number, by in drags.items():
         hand.drag(panel.obj.Document, panel.handles.handles, number, by)
-    wait(lambda: panel.preview.stage in ("final", "detail"), 60, "the solid")
+    wait(lambda: panel.preview.stage in ("final", "detail"), "the solid")
     hand.button("OK")
     made()
     return panel.obj
@@ -111,7 +111,7 @@ def test_a_first_part(blank, panels, monkeypatch, tmp_path):
     hand.tool("Fieldfab_NewCamSetup")
     live(1)
     hand.button("Plan")
-    wait(lambda: panels[-1].task is None, 300, "the plan")
+    wait(lambda: panels[-1].task is None, "the plan")
     window.shot("first_part")
     hand.button("OK")
     live(1)
@@ -122,7 +122,7 @@ def test_a_first_part(blank, panels, monkeypatch, tmp_path):
     hand.tool("Fieldfab_WriteMachineFile")
     live(1)
     hand.button("Save")
-    wait(path.exists, 20, "the machine file")
+    wait(path.exists, "the machine file")
     assert asked == ["Difference.ngc"] and path.read_text().count("\nG1 ") > 50
     told = re.search(r"(\d+) clicks and (\d+) drags", TUTORIAL)
     assert (hand.clicks, hand.drags) == (int(told[1]), int(told[2]))

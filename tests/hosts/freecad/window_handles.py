@@ -112,7 +112,7 @@ def arrow_of(panel, value):
     """Returns the place of a number's arrow among those that are shown, once it is."""
     found = lambda: [place for place, (handle, *_) in enumerate(
         panel.handles.handles.arrows if panel.handles.handles else []) if handle.read() == value]
-    window.wait(lambda: panel.handles._task is None and found(), 20, f"an arrow at {value}")
+    window.wait(lambda: panel.handles._task is None and found(), f"an arrow at {value}")
     return found()[0]
 
 
@@ -153,7 +153,7 @@ def test_of_many_numbers_those_of_the_cursors_line_have_arrows(document, panels)
     lines = [f"move(box(4, 5, 6), {10 * i}, 1, 2)" for i in range(1, 4)]
     formula(document, "union(" + ",\n  ".join(lines) + ")")
     panel = panels[-1]
-    window.wait(lambda: panel.handles._task is None and panel.handles.found, 20, "arrows")
+    window.wait(lambda: panel.handles._task is None and panel.handles.found, "arrows")
     cursor = panel.text.textCursor()
     for line in (1, 2):
         cursor.setPosition(panel.text.document().findBlockByNumber(line).position())
@@ -169,7 +169,7 @@ def test_a_formula_with_a_mistake_has_no_arrows(document, panels):
     panel = panels[-1]
     arrow_of(panel, 14)
     panel.text.setPlainText("box(1, 2")
-    window.wait(lambda: panel.handles.handles is None, 10, "the arrows to go")
+    window.wait(lambda: panel.handles.handles is None, "the arrows to go")
     press(Button.Cancel)
 
 

@@ -24,12 +24,12 @@ def test_the_editor_is_open_at_once_and_no_typing_is_lost(document, panels, monk
     QtWidgets.QApplication.processEvents()
     panel.text.selectAll()
     type_text("sphere(r = 7)")
-    wait(lambda: panel.text.toPlainText() == "sphere(r = 7)", 5, "what was typed")
+    wait(lambda: panel.text.toPlainText() == "sphere(r = 7)", "what was typed")
     live(0.5)
     assert panel.text.hasFocus(), "the popup of completions leaves it the focus"
     assert not [box for box in QtWidgets.QApplication.topLevelWidgets()
                 if isinstance(box, QtWidgets.QProgressDialog) and box.isVisible()]
-    wait(lambda: panel.preview.stage == "final", 30, "the solid")
+    wait(lambda: panel.preview.stage == "final", "the solid")
     assert silhouette("new_solid") > 100, "it is in the picture"
     window.shot("new_solid_panel")
     press(Button.Ok)
@@ -89,13 +89,13 @@ def test_ok_computes_beside_the_window(document, panels, slow):
     assert beat.longest < SECONDS / 5 and len(beat.gaps) > 5, beat.gaps[-5:]
     direction = FreeCADGui.ActiveDocument.ActiveView.getViewDirection()
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
-    wait(lambda: FreeCADGui.ActiveDocument.ActiveView.getViewDirection() != direction, 5, "the view to turn")
+    wait(lambda: FreeCADGui.ActiveDocument.ActiveView.getViewDirection() != direction, "the view to turn")
     click_on(Button.Ok)  # a second click has no effect
-    wait(lambda: panel.bar_of_making.maximum() == 0 and "sharpening edges" in panel.message.text(), 60,
+    wait(lambda: panel.bar_of_making.maximum() == 0 and "sharpening edges" in panel.message.text(),
          "the bar to run to and fro at 95 percent")
     assert panel.making is not None
     window.shot("making")
-    wait(lambda: not FreeCADGui.Control.activeDialog(), 120, "the solid")
+    wait(lambda: not FreeCADGui.Control.activeDialog(), "the solid")
     [solid] = document.Objects
     assert solid.isValid() and solid.Triangles > 10_000 and document.UndoCount == 1 and not dialogs()
 
@@ -105,7 +105,7 @@ def test_cancel_meanwhile_takes_all_of_it_back(document, panels, slow):
     assert panel.making is not None
     click_on(Button.Cancel)
     began = time.monotonic()
-    wait(lambda: not panel.making.is_alive(), 5, "the end of the work")
+    wait(lambda: not panel.making.is_alive(), "the end of the work")
     assert time.monotonic() - began < SECONDS / 2 and not document.Objects and not FreeCADGui.Control.activeDialog()
 
 
@@ -118,7 +118,7 @@ def test_apply_goes_on_to_the_solid_itself(document, panels, slow):
     live(0.8)
     press(Button.Apply)
     assert solid.isValid() and solid.Triangles > 1000 and panel.text.isEnabled() and FreeCADGui.Control.activeDialog()
-    wait(lambda: panel.preview.stage in ("final", "detail"), 60, "the solid's own picture")
+    wait(lambda: panel.preview.stage in ("final", "detail"), "the solid's own picture")
     press(Button.Cancel)
     assert solid.Expression == "sphere(r = 5)" and solid.isValid()
 
@@ -130,7 +130,7 @@ def test_a_solid_that_cannot_be_made_leaves_its_panel_open(document, panels):
     panels[-1].text.setPlainText("gyroid(period = 3)")
     live(0.8)
     click_on(Button.Ok)
-    wait(lambda: panels[-1].making is None, 30, "the mistake")
+    wait(lambda: panels[-1].making is None, "the mistake")
     live(0.1)
     assert FreeCADGui.Control.activeDialog() and "bounds" in panels[-1].message.text() and panels[-1].text.isEnabled()
     press(Button.Cancel)
@@ -143,6 +143,6 @@ def test_a_bar_does_not_stand():
     for fraction in (0.5, 0.95):
         gauge.show(fraction)
         assert bar.value() == round(1000 * fraction) and bar.maximum() == 1000
-    wait(lambda: gauge.show(0.95) or bar.maximum() == 0, 5, "the bar to run to and fro")
+    wait(lambda: gauge.show(0.95) or bar.maximum() == 0, "the bar to run to and fro")
     gauge.show(0.96)
     assert bar.value() == 960 and bar.maximum() == 1000

@@ -79,7 +79,7 @@ def test_file_import(document, design, opened):
 
     QtCore.QTimer.singleShot(500, choose)
     FreeCADGui.runCommand("Std_Import")
-    wait(lambda: document.Objects and not document.HasPendingTransaction, 60, "the import")
+    wait(lambda: document.Objects and not document.HasPendingTransaction, "the import")
     root = named(document, "lever")
     assert root.isValid() and root.Operation == "Difference" and document.UndoCount == 1
     seen = [obj for obj in document.Objects if obj.ViewObject.Visibility]
@@ -304,7 +304,7 @@ def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):
 
     QtCore.QTimer.singleShot(500, choose)
     FreeCADGui.runCommand("Std_Import")
-    wait(dialogs, 30, "the dialog")
+    wait(dialogs, "the dialog")
     [box] = dialogs()
     window.shot("mistake_scad")
     assert "line 2" in box.text() and "syntax error" in box.text().lower(), box.text()

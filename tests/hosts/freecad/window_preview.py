@@ -37,7 +37,7 @@ def test_ok_takes_the_mesh_that_was_shown(document, panels, monkeypatch):
     edit(solid)
     panels[-1].rows["size"].box.setValue(22)
     shown(panels[-1].preview, "final", "detail")
-    wait(lambda: not panels[-1].preview._task.is_alive(), 40,
+    wait(lambda: not panels[-1].preview._task.is_alive(),
          "the solid's own mesh, which follows blocks on a busy machine")
     made, real = [], sources.kept
     monkeypatch.setattr(sources, "kept", lambda key, make: real(key, lambda: made.append(key) or make()))
@@ -83,7 +83,7 @@ def test_the_first_picture_comes_within_100_ms(document, panels):
         while min(latencies) > 0.1 and len(latencies) < 60:
             i, preview.latency = len(latencies), None
             preview.show(frep_solid.source_of_text(other if i % 2 else text), {})
-            wait(lambda: preview.latency is not None, 20)
+            wait(lambda: preview.latency is not None)
             latencies.append(preview.latency)
         preview.close()
         print(name, [round(1000 * t) for t in latencies[1:]], "ms")
@@ -95,7 +95,7 @@ def test_the_window_answers_and_the_newest_wins(document, panels):
     solid = frep(document, "wall = 2.4\n" + frep_solid.DEFAULT.replace("wall = 2.4\n", ""), voxel=4)
     edit(solid)
     row, preview = panels[-1].rows["wall"], panels[-1].preview
-    wait(lambda: panels[-1].handles.handles, 20, "the arrows: Coin reads its draggers when it makes the first one")
+    wait(lambda: panels[-1].handles.handles, "the arrows: Coin reads its draggers when it makes the first one")
     # Repeated until it succeeds: other programs share the processors, and software rendering adds to the wall-clock
     # time, so that its bound is wider.
     beats = []
@@ -111,7 +111,7 @@ def test_the_window_answers_and_the_newest_wins(document, panels):
     assert beats[-1].busiest < 0.1 and beats[-1].longest < 0.3
     row.box.setValue(1.5)
     panels[-1].voxel.setValue(1.5)
-    wait(lambda: preview._refinement.settings == {"voxel": 1.5} and preview.stage == "coarse", 20, "the newest")
+    wait(lambda: preview._refinement.settings == {"voxel": 1.5} and preview.stage == "coarse", "the newest")
     assert not preview._task.cancelled
     press(Button.Cancel)
 
@@ -127,11 +127,11 @@ def test_closer_is_finer(document, panels):
     while min(busiest) > 0.1 and len(busiest) < 6:  # other programs share the processors
         with Busy() as beat:
             camera.height = 3
-            wait(lambda: preview.stage == "detail", 40, "detail")
+            wait(lambda: preview.stage == "detail", "detail")
         busiest.append(beat.busiest)
         if beat.busiest > 0.1:
             camera.height = 400
-            wait(lambda: preview.stage == "final", 40, "the whole")
+            wait(lambda: preview.stage == "final", "the whole")
     print("busy", [round(1000 * busy) for busy in busiest[1:]], "ms at most while blocks are taken in")
     assert min(busiest) < 0.1
     seen = preview._refinement
@@ -141,10 +141,10 @@ def test_closer_is_finer(document, panels):
         return (max((level for _, level, _ in seen.details[nearest].parts(preview._eye)), default=0)
                 if nearest in seen.shown else 0)
 
-    wait(lambda: preview.stage == "detail" and finest() >= 2, 40, "detail")
+    wait(lambda: preview.stage == "detail" and finest() >= 2, "detail")
     window.shot("close")
     camera.height = 400
-    wait(lambda: preview.stage == "final", 40, "the whole again")
+    wait(lambda: preview.stage == "final", "the whole again")
     press(Button.Cancel)
 
 

@@ -282,7 +282,7 @@ def test_ok_computes_beside_the_window(document, opened):
     live(0.3)
     window.shot("scan_making")
     assert QtWidgets.QApplication.activeModalWidget() is None and not document.Objects[0].MadeFrom
-    wait(lambda: not FreeCADGui.Control.activeDialog(), 120, "the solid")
+    wait(lambda: not FreeCADGui.Control.activeDialog(), "the solid")
     assert document.Objects[0].isValid() and document.Objects[0].Triangles > 10_000 and document.UndoCount == 1
 
 

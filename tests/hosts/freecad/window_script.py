@@ -19,28 +19,28 @@ def test_a_script_is_written_beside_its_picture(document, panels, tmp_path):
     assert panel.question.isVisible() and panel.preview.stage == "", "nothing runs before the user has agreed"
     window.shot("script_question")
     click(panel.agree)
-    wait(lambda: not panel.question.isVisible(), 5, "the answer")
-    wait(lambda: panel.preview.stage == "final", 60, "the default's solid")
+    wait(lambda: not panel.question.isVisible(), "the answer")
+    wait(lambda: panel.preview.stage == "final", "the default's solid")
     assert silhouette("script") > 100 and list(panel.rows) == ["count", "radius", "size"]
     window.shot("script_panel")
 
     panel.rows["count"].box.setValue(3)
-    wait(lambda: "count = 3 " in panel.written(), 5, "the slider's value")
+    wait(lambda: "count = 3 " in panel.written(), "the slider's value")
     click(panel.text.viewport())
     panel.text.selectAll()
     type_text(f"open({str(ran)!r}, 'a').close()")
     panel.text.insertPlainText("\n" + BALL)
-    wait(lambda: list(panel.rows) == ["r"] and ran.exists(), 20, "the new script's run")
-    wait(lambda: panel.preview.stage == "final" and not panel.text.message, 40, "its solid")
+    wait(lambda: list(panel.rows) == ["r"] and ran.exists(), "the new script's run")
+    wait(lambda: panel.preview.stage == "final" and not panel.text.message, "its solid")
 
     panel.text.setPlainText(BALL.replace("sphere(r)", "sphere(r) + 1 / (r - r)"))
-    wait(lambda: "Line 3: ZeroDivisionError" in panel.message.text(), 20, "the mistake")
+    wait(lambda: "Line 3: ZeroDivisionError" in panel.message.text(), "the mistake")
     assert [each.line for each in panel.text.mistakes] == [2]
     window.shot("script_mistake")
     panel.text.setPlainText(BALL.replace("sphere(r)", "sphere(r"))
-    wait(lambda: "Line 3: " in panel.message.text() and "never closed" in panel.message.text(), 20, "the syntax")
+    wait(lambda: "Line 3: " in panel.message.text() and "never closed" in panel.message.text(), "the syntax")
     panel.text.setPlainText(BALL)
-    wait(lambda: panel.preview.stage == "final" and not panel.text.mistakes, 40, "the solid again")
+    wait(lambda: panel.preview.stage == "final" and not panel.text.mistakes, "the solid again")
     press(Button.Ok)
     [solid] = document.Objects
     assert solid.isValid() and abs(solid.Volume.Value - 1436.8) < 15 and document.UndoCount == 1
@@ -65,5 +65,5 @@ def test_ok_without_consent_tells_why(document, panels):
     FreeCADGui.runCommand("Fieldfab_NewScriptSolid")
     live(0.3)
     press(Button.Ok)
-    wait(lambda: "agreed" in panels[-1].message.text(), 10, "the reason")
+    wait(lambda: "agreed" in panels[-1].message.text(), "the reason")
     press(Button.Cancel)

@@ -209,7 +209,7 @@ def test_the_densities_of_a_scan_are_on_the_plane(document, tmp_path):
     FreeCADGui.ActiveDocument.ActiveView.viewFront()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     plane = cut(document)
-    wait(lambda: plane._slices.root.getChild(2).getNumChildren() == 1, 20, "the picture of densities")
+    wait(lambda: plane._slices.root.getChild(2).getNumChildren() == 1, "the picture of densities")
     live(0.3)
     picture, view = window.shot("section_densities"), PartView(document)
     corner = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
@@ -224,7 +224,7 @@ def test_the_densities_of_a_scan_are_on_the_plane(document, tmp_path):
         red, green, blue = colour(x, z)
         assert (red > blue + 60) if solid else (abs(red - blue) < 12), (x, z, red, green, blue)
     ball.AutoThreshold, ball.Threshold = False, 180
-    wait(lambda: plane._slices.shown[2][0][2] == 180, 10, "the new threshold's picture")
+    wait(lambda: plane._slices.shown[2][0][2] == 180, "the new threshold's picture")
     live(0.3)
     picture = window.shot("section_densities_180")
     red, green, blue = colour(3 + 7, 3)

@@ -40,7 +40,7 @@ def simulated(opened, cell=0.4):
     panel = opened[-1]
     panel.setup.cell.setValue(cell)
     button("Simulate").click()
-    wait(lambda: panel.task is None, 60, "the simulation")
+    wait(lambda: panel.task is None, "the simulation")
     assert panel.run is not None, panel.message.text()
     wait(lambda: panel.playback.shown > 0 and panel.playback.player.idle)
     live(0.2)
@@ -95,7 +95,7 @@ def test_a_program_file_made_of_the_planned_one_keeps_its_set_up(document, opene
     window.shot("plan_edited")
     panel.run = None
     button("Simulate").click()
-    wait(lambda: panel.task is None and panel.run is not None, 60, "the simulation")
+    wait(lambda: panel.task is None and panel.run is not None, "the simulation")
     assert (panel.obj.Program is None and panel.obj.SetupProgram == planned
             and panel.obj.Removed.Value == pytest.approx(removed, rel=1e-6))
     press(Button.Ok)
@@ -113,7 +113,7 @@ def test_a_hidden_simulation_is_carried_out_once_it_is_shown(document, opened, p
     document.recompute()
     assert not made and obj.Volume.Value == volume and obj.isValid()
     obj.ViewObject.Visibility = True
-    wait(lambda: made and obj.Volume.Value != volume, 60, "the simulation")
+    wait(lambda: made and obj.Volume.Value != volume, "the simulation")
     obj.ViewObject.Visibility = False
     made.clear()
     document.openTransaction("Delete")

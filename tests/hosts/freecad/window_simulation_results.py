@@ -78,7 +78,7 @@ def test_stop_ends_the_work_and_mistakes_are_told(document, opened, tmp_path):
     live(0.7)
     assert panel.task is not None and panel.bar.value() >= 0
     button("Stop").click()
-    wait(lambda: panel.task is None, 5)
+    wait(lambda: panel.task is None)
     assert "stopped" in panel.message.text() and not panel.obj.Mesh.CountFacets
     press(Button.Cancel)
     assert not document.Objects
@@ -94,7 +94,7 @@ def test_a_document_may_be_closed_while_it_plays(opened, tmp_path):
     live(0.5)
     assert player.task.is_alive()
     FreeCAD.closeDocument(other.Name)
-    wait(lambda: not player.task.is_alive(), 5)
+    wait(lambda: not player.task.is_alive())
     if FreeCADGui.Control.activeDialog():
         FreeCADGui.Control.closeDialog()
 
@@ -160,11 +160,11 @@ def test_a_program_is_read_as_its_dialect_says(document, opened, tmp_path):
     form.program.line.editingFinished.emit()
     form.cell.setValue(0.5)
     button("Simulate").click()
-    wait(lambda: panel.task is None, 30)
+    wait(lambda: panel.task is None)
     assert "G80" in panel.message.text() and panel.run is None
     form.dialect.setCurrentIndex(form.dialect.findData("fanuc"))
     window.shot("simulation_dialect")
     button("Simulate").click()
-    wait(lambda: panel.run is not None, 30, "the simulation")
+    wait(lambda: panel.run is not None, "the simulation")
     assert panel.obj.Dialect == "fanuc" and panel.obj.isValid() and panel.obj.Removed.Value > 50
     press(Button.Ok)

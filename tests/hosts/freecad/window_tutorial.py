@@ -62,7 +62,7 @@ class Desk:
         [action] = {a.text(): a for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar)
                     if bar.isVisible()
                     for a in bar.actions() if a.text().replace("&", "") == words}.values()
-        wait(action.isEnabled, 5, f"{words} to be of use")
+        wait(action.isEnabled, f"{words} to be of use")
         action.trigger()
         live(0.3)
         self.make_room()
@@ -176,7 +176,7 @@ def make_bracket(desk, document):
     wait(lambda: "thick" in desk.panel.rows, what="the sliders")
     for name, value in values:
         desk.panel.rows[name].box.setValue(float(value))
-    wait(lambda: desk.panel.preview.stage in ("final", "detail"), 30, "the bracket's picture")
+    wait(lambda: desk.panel.preview.stage in ("final", "detail"), "the bracket's picture")
     desk.look()
     window.shot("bracket")
     press(Button.Ok)
@@ -231,7 +231,7 @@ def cross_check(desk, bust):
     """Step 5 of the tutorial: the cross-check."""
     desk.choose(bust)
     desk.command("Fieldfab_CrossCheck")
-    wait(lambda: desk.panel.report is not None and desk.panel.coloured is not None, 90, "the report")
+    wait(lambda: desk.panel.report is not None and desk.panel.coloured is not None, "the report")
     window.shot("check")
     broken = [(row.name, row.measured, row.bound) for row in desk.panel.report.rows if not row.passed]
     assert "passed" in desk.panel.verdict.text() and not broken, (desk.panel.verdict.text(), broken)
@@ -262,7 +262,7 @@ def plan(desk, bust):
     [lean] = desk.field("Lean").findChildren(QtWidgets.QCheckBox)
     lean.click()
     desk.click("Plan")
-    wait(lambda: panel.task is None, 600, "the plan")
+    wait(lambda: panel.task is None, "the plan")
     program = panel.program()
     assert program is not None and program.Seconds > 600, panel.message.text()
     bust.ViewObject.Visibility = False
@@ -284,7 +284,7 @@ def simulate(desk, bust, program):
     program.ViewObject.Visibility = bust.ViewObject.Visibility = False
     desk.click("Simulate")
     wait(lambda: panel.task is None and panel.run is not None and panel.playback.player.idle
-         and panel.playback.shown > 0, 600, "the simulation")
+         and panel.playback.shown > 0, "the simulation")
     playback = panel.playback
     desk.tick("Tool")
     desk.tick("Shank and holder")

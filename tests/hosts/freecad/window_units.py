@@ -119,7 +119,7 @@ def test_a_job_in_inches(document, panels):
     assert "in" in depth.problem.text() and "mm" not in depth.problem.text()
     depth.editor.setText("0.02")
     panel.plan_button.click()
-    wait(lambda: panel.task is None and panel.outcome.text(), 60, "the plan")
+    wait(lambda: panel.task is None and panel.outcome.text(), "the plan")
     assert metric(panel.form) == [] and " in cut" in panel.outcome.text()
     window.shot("inches_plan")
     press(Button.Cancel)
@@ -162,7 +162,7 @@ def test_the_cross_check_in_inches(document, monkeypatch):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(frep(document, "sphere(r = 10)", 1))
     FreeCADGui.runCommand("Fieldfab_CrossCheck")
-    wait(lambda: made[0].report is not None, 60, "the report")
+    wait(lambda: made[0].report is not None, "the report")
     assert metric(made[0].form) == [] and " in on average" in made[0].figures.text()
     [legend] = [legend for legend in FreeCADGui.getMainWindow().findChildren(Legend) if legend.isVisible()]
     assert "Deviation, in" in drawn(legend)

@@ -165,7 +165,7 @@ def test_messages_of_the_kernel_are_german(german, panels, tmp_path):
         "CAM-Job", "Schaftfräser 6 mm", "Schruppen", "Bohren"]
     edit(setup)
     panels[-1].plan_button.click()
-    wait(lambda: "keine runden Bohrungen" in panels[-1].message.text(), seconds=40, what="the planner's error")
+    wait(lambda: "keine runden Bohrungen" in panels[-1].message.text(), what="the planner's error")
     assert panels[-1].message.text() == "Bohren: das Teil hat keine runden Bohrungen bis 6.3 mm"
     shot("german_plan")
     press(Button.Cancel)
