@@ -100,15 +100,15 @@ def main():
         print(said)
     left = set()
     if built:
-        times = last_times()
-        taken, left = within(as_single_tests(python, times), (arguments.seconds - work.seconds()) * jobs, times)
-        more, left_too = within(as_single_tests(others - python, times) - {*taken, *left},
-                                (arguments.seconds - work.seconds()) * jobs - sum(times.get(each, UNKNOWN) for each in taken),
-                                times)
+        times, seconds = last_times(), (arguments.seconds - work.seconds()) * jobs
+        taken, left = within(as_single_tests(python, times), seconds, times)
+        seconds -= sum(times.get(each, UNKNOWN) for each in taken)
+        more, left_too = within(as_single_tests(others - python, times) - {*taken, *left}, seconds, times)
         left += left_too
         if taken or more:
-            work.run("Python tests", "/usr/bin/python3", "-m", "pytest", "-q", "-p", "no:cacheprovider", "-n", str(jobs),
-                     "--dist", "loadgroup", *taken, *more, env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
+            work.run("Python tests", "/usr/bin/python3", "-m", "pytest", "-q", "-p", "no:cacheprovider", "-n",
+                     str(jobs), "--dist", "loadgroup", *taken, *more,
+                     env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
     if left:
         print("not run, for ./dev test:", *sorted(left), sep="\n  ")
     print(f"check: {'failed' if work.failed else 'passed'} in {work.seconds():.0f} s")

@@ -120,7 +120,8 @@ def imports_of(file, tree, known):
                 package = pathlib.PurePath(file).parents[node.level - 1]
                 names = [".".join([*package.parts, *base.split(".")]).strip(".")]
                 names += [f"{names[0]}.{each.name}" for each in node.names]
-                yield from ({f"{name.replace('.', '/')}{end}" for name in names for end in (".py", "/__init__.py")} & known)
+                paths = [name.replace(".", "/") for name in names]
+                yield from {f"{path}{end}" for path in paths for end in (".py", "/__init__.py")} & known
                 continue
             names = [base, *(f"{base}.{each.name}" for each in node.names)]
         else:

@@ -90,6 +90,7 @@ def test_objects_are_reached_by_headers_symbols_and_entry_points(tree, tmp_path)
                                                        for name, made in objects.items()))
     subprocess.run(["ninja", "-C", build], check=True, capture_output=True)
     expected = {"a.cpp": {"unit_a", "unit_b"}, "a.h": {"unit_a", "unit_b"}, "b.cpp": {"unit_b"}, "b.h": {"unit_b"},
-                "part.cpp": {"unit_load"}, "load.cpp": {"unit_load"}, "tests/unit_a.cpp": {"unit_a"}, "README.md": set()}
+                "part.cpp": {"unit_load"}, "load.cpp": {"unit_load"}, "tests/unit_a.cpp": {"unit_a"},
+                "README.md": set()}
     for name, programs in expected.items():
         assert reach.test_programs(build, {name}) == programs, name
