@@ -74,7 +74,8 @@ class Client:
     """Edits its own document and looks at it, as the page does. It tries again after each failure."""
 
     def __init__(self, balanced, name):
-        self.address, self.name, self.version, self.text = f"http://127.0.0.1:{balanced.port}", name, None, ""
+        self.address, self.name, self.version = f"http://127.0.0.1:{balanced.port}", name, None
+        self.text = self.saved = ""
         self.pictures, self.failures, self.connections = [], 0, 0
 
     async def save(self, session, text):
@@ -90,16 +91,21 @@ class Client:
                 raise aiohttp.ClientError(answer.reason)
             assert answer.status == 200, await answer.text()
             self.version = (await answer.json())["version"]
+        self.saved = text
         return True
+
+    def goes_on(self, end):
+        """Until the end, and then until what was written last is saved."""
+        return time.monotonic() < end or self.saved != self.text
 
     async def run(self, end):
         number = 0
-        while time.monotonic() < end:
+        while self.goes_on(end):
             with contextlib.suppress(aiohttp.ClientError, ConnectionError, EOFError):
                 async with aiohttp.ClientSession(self.address, headers=BEARER) as session:
                     async with session.ws_connect("/api/socket") as socket:
                         self.connections += 1
-                        while time.monotonic() < end:
+                        while self.goes_on(end):
                             text = f"sphere({5 + number / 1000})  # {self.name}\n"
                             self.text = text
                             while not await self.save(session, text):

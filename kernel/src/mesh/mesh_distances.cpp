@@ -73,6 +73,7 @@ std::vector<std::uint32_t> loop_of(const std::vector<Rim>& edges) {
 bool add_plain_lid(const std::vector<Rim>& edges, const TriangleMesh& mesh, Lids& lids) {
   const std::vector<std::uint32_t> loop = loop_of(edges);
   std::vector<Vec3> places;
+  places.reserve(loop.size());
   for (const std::uint32_t vertex : loop) places.push_back(place(mesh.vertices[vertex]));
   const auto triangles = triangles_over(places);
   for (const auto& [a, b, c] : triangles) {

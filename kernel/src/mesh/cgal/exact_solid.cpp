@@ -18,6 +18,8 @@ ExactSolid::ExactSolid(const Polyhedron& solid) {
   if (solid.empty()) return;
   std::vector<Surface::Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
+  points.reserve(solid.vertices.size());
+  faces.reserve(solid.triangles.size());
   for (const Vec3& p : solid.vertices) points.emplace_back(p.x(), p.y(), p.z());
   for (const Polyhedron::Triangle& t : solid.triangles) faces.push_back({t[0], t[1], t[2]});
   pmp::repair_polygon_soup(points, faces);

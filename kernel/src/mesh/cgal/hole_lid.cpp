@@ -13,12 +13,14 @@ std::vector<Polyhedron::Triangle> triangles_over(std::span<const Vec3> rim) {
   if (rim.size() < 3 || rim.size() > most) return {};
   if (rim.size() == 3) return {{0, 1, 2}};  // frequent in triangle soups
   std::vector<Kernel::Point_3> points;
+  points.reserve(rim.size());
   for (const Vec3& p : rim) points.emplace_back(p.x(), p.y(), p.z());
   std::vector<CGAL::Triple<int, int, int>> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(found),
                                                            CGAL::parameters::do_not_use_cubic_algorithm(true));
   if (found.size() + 2 != rim.size()) return {};
   std::vector<Polyhedron::Triangle> triangles;
+  triangles.reserve(found.size());
   for (const auto& t : found)
     triangles.push_back({static_cast<std::uint32_t>(t.first), static_cast<std::uint32_t>(t.second),
                          static_cast<std::uint32_t>(t.third)});

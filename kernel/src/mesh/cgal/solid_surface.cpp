@@ -24,8 +24,10 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 /// Returns false if an edge has more than two faces.
 bool to_surface(const Polyhedron& surface, Mesh& mesh) {
   std::vector<Kernel::Point_3> points;
+  points.reserve(surface.vertices.size());
   for (const Vec3& p : surface.vertices) points.emplace_back(p.x(), p.y(), p.z());
   std::vector<std::vector<std::size_t>> faces;
+  faces.reserve(surface.triangles.size());
   for (const Polyhedron::Triangle& t : surface.triangles) faces.push_back({t[0], t[1], t[2]});
   if (!pmp::is_polygon_soup_a_polygon_mesh(faces)) return false;
   pmp::polygon_soup_to_polygon_mesh(points, faces, mesh);
