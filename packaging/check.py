@@ -3,7 +3,7 @@
 The change is what differs from COMMIT (default: the last commit, or, where nothing differs from it, the one before).
 Lint of the changed files runs beside the build; then the C++ tests that the change reaches, and the Python tests; see
 packaging/reach.py. A change in C++ reaches all that runs the command or the module: of those Python tests the quickest
-are run, by their times in the last ./dev test, until --seconds (default 240) are used. What was left out is listed.
+are run, by their times in the last ./dev test, until --seconds (default 220) are used. What was left out is listed.
 """
 
 import argparse
@@ -75,7 +75,7 @@ class Work:
 def main():
     parser = argparse.ArgumentParser(prog="./dev check", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seconds", type=float, default=240)
+    parser.add_argument("--seconds", type=float, default=220)
     parser.add_argument("commit", nargs="?", metavar="COMMIT")
     arguments = parser.parse_args()
     commit = arguments.commit or ("HEAD" if reach.changed_files("HEAD") else "HEAD^")

@@ -119,7 +119,7 @@ img { width: 100%; border-radius: 8px; display: block }
 .wide { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 1rem;
   align-items: center }
 .scene { height: min(560px, 76vh, 90vw); border-radius: 8px; overflow: hidden;
-  background: radial-gradient(120% 100% at 50% 0, #fff 0, #e9eeee 60%, #d3dcde 100%); cursor: grab }
+  background: linear-gradient(#f4f6fa, #d1d9e3); cursor: grab }  /* as kernel/src/render/shade.cpp paints the stills */
 .scene:active { cursor: grabbing }
 .scene canvas { width: 100%; height: 100%; display: block; touch-action: pan-y !important }
 .scene img { height: 100%; object-fit: contain; border-radius: 0 }
