@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fieldfab/core/clones.h"
+
 namespace fieldfab::cam {
 
-__attribute__((target_clones("avx2", "default"))) bool flag_contacts(const float* entry, const float* exit,
-                                                                     const float* tops, int count,
-                                                                     std::uint8_t* flags) {
+FIELDFAB_CLONES bool flag_contacts(const float* entry, const float* exit, const float* tops, int count,
+                                   std::uint8_t* flags) {
   unsigned any = 0;
   if (tops == nullptr) {
     for (int i = 0; i < count; ++i) {
@@ -23,10 +24,8 @@ __attribute__((target_clones("avx2", "default"))) bool flag_contacts(const float
   return any;
 }
 
-__attribute__((target_clones("avx2", "default"))) bool flag_neighbours(const float* entry, const float* exit,
-                                                                       const float* before, const float* here,
-                                                                       const float* after, int count, float inverse,
-                                                                       std::uint8_t* flags) {
+FIELDFAB_CLONES bool flag_neighbours(const float* entry, const float* exit, const float* before, const float* here,
+                                     const float* after, int count, float inverse, std::uint8_t* flags) {
   unsigned any = 0;
   for (int i = 0; i < count; ++i) {
     const float most = std::max(std::max(before[i], after[i]), std::max(here[i - 1], here[i + 1]));
@@ -38,8 +37,7 @@ __attribute__((target_clones("avx2", "default"))) bool flag_neighbours(const flo
   return any;
 }
 
-__attribute__((target_clones("avx2", "default"))) void load_tops(const float* tops, int count, double spacing,
-                                                                 float last, float* points) {
+FIELDFAB_CLONES void load_tops(const float* tops, int count, double spacing, float last, float* points) {
   if (tops == nullptr) {
     std::fill(points, points + count, last);
     return;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fieldfab/core/clones.h"
 #include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
@@ -32,9 +33,8 @@ struct Neighbour {
 };
 
 /// Raises the slopes to the horizon of a row's pixels to those of their neighbours, `run` mm away.
-__attribute__((target_clones("avx2", "default"))) void raise_horizon(const float* here, const float* there,
-                                                                     float* steepest, int count, float run,
-                                                                     float weight) {
+FIELDFAB_CLONES void raise_horizon(const float* here, const float* there, float* steepest, int count, float run,
+                                   float weight) {
   for (int x = 0; x < count; ++x) {
     const float rise = (there[x] - here[x]) / run * weight;
     steepest[x] = steepest[x] < rise ? rise : steepest[x];
@@ -42,14 +42,14 @@ __attribute__((target_clones("avx2", "default"))) void raise_horizon(const float
 }
 
 /// Adds the visible fraction of the sky above each horizon.
-__attribute__((target_clones("avx2", "default"))) void add_sky(const float* steepest, float* sum, int count) {
+FIELDFAB_CLONES void add_sky(const float* steepest, float* sum, int count) {
   for (int x = 0; x < count; ++x) sum[x] += 1 - steepest[x] / std::sqrt(1 + steepest[x] * steepest[x]);
 }
 
 /// Lowers the fractions of a light that reach a row's pixels to what their neighbours leave of it. `rise`: of the ray
 /// on its way to the neighbour, mm.
-__attribute__((target_clones("avx2", "default"))) void lower_light(const float* here, const float* there, float* open,
-                                                                   int count, float rise, float softness, float run) {
+FIELDFAB_CLONES void lower_light(const float* here, const float* there, float* open, int count, float rise,
+                                 float softness, float run) {
   for (int x = 0; x < count; ++x) {
     const float clear = here[x] + rise - there[x];
     const float left = 0.5F + softness * clear / run;
