@@ -20,8 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "release"
 TIMES = ROOT / "build" / "times" / "python.xml"
 UNKNOWN = 20.0  # seconds that a test is thought to take of which no time is known
-CPP = (".cpp", ".h", ".inl", ".toml", "CMakeLists.txt")
-HOSTS = "tests/hosts/"
+CPP = (".cpp", ".h", ".inl", *reach.OF_BUILD)
 
 
 def last_times():
@@ -92,7 +91,7 @@ def main():
         if programs:
             work.run(f"C++ tests of {len(programs)} programs", "ctest", "--test-dir", BUILD, "-j", str(jobs),
                      "--output-on-failure", "--no-label-summary", "-L", f"^({'|'.join(sorted(programs))})$")
-        others = {test for test in last_times() if reach.is_test(test) and test.startswith(HOSTS)}
+        others = set(filter(reach.is_test, reach.git("ls-files", "tests/hosts")))
     print(f"== lint ({work.seconds():.0f} s)", flush=True)
     said = lint.communicate()[0]
     if lint.returncode != 0:

@@ -21,6 +21,7 @@ MODULES = ("tests/hosts", "tests/hosts/freecad", "tests/hosts/edit", "packaging"
 # Files that no Python file names, and the test helpers that start what reads them.
 STARTED = {"web/client/": "tests/hosts/web_server.py", "web/server/": "tests/hosts/web_server.py",
            "freecad_workbench/Init": "tests/hosts/freecad_host.py", "meshlab_filter/": "tests/hosts/meshlab_host.py"}
+OF_BUILD = ("CMakeLists.txt", ".cmake", "CMakePresets.json", ".toml")  # no object names them: they reach all
 INSIDE = "tests/hosts/freecad_inside_test.py"  # runs each file of freecad/ that is named inside_*.py or window_*.py
 
 
@@ -88,11 +89,12 @@ def users_of_objects(build, names):
 def test_programs(build, changed):
     """Returns the names of the C++ test programs that the changed files can reach. Needs a finished build."""
     files = files_of_objects(build)
-    touched = {name for name, read in files.items() if read & changed}
+    touched = set(files) if any(name.endswith(OF_BUILD) for name in changed) else {
+        name for name, read in files.items() if read & changed}
     if not touched:
         return set()
     reached = closure(touched, users_of_objects(build, sorted(files)))
-    programs = {re.match(r"tests/CMakeFiles/([^/]+)\.dir/", name) for name in reached}
+    programs = {re.match(r"tests/CMakeFiles/((?:unit|property|oracle)_[^/]+)\.dir/", name) for name in reached}
     return {found[1] for found in programs if found}
 
 
@@ -142,8 +144,7 @@ def texts_of(tree):
 def files_of_tests(known, read):
     """Returns {file: files that it imports or names} for the Python files among the known ones. A text in a Python file
     names a file by its name, and all files of a folder by the folder's name: of one at the tree's top only if it names
-    none of them by its own name.
-    `read` returns a file's text."""
+    none of them by its own name. `read` returns a file's text."""
     python = {file for file in known if file.endswith((".py", ".FCMacro"))}
     by_name, by_folder = collections.defaultdict(set), collections.defaultdict(set)
     for file in itertools.filterfalse(is_test, known):  # a test that is named is none that is used
@@ -153,7 +154,10 @@ def files_of_tests(known, read):
             by_folder[path.parent.name].add(file)
     found = {}
     for file in python:
-        tree = ast.parse(read(file))
+        try:
+            tree = ast.parse(read(file))
+        except SyntaxError:  # lint tells of it
+            tree = ast.Module([], [])
         words = set(re.findall(r"[\w.-]+", " ".join(texts_of(tree))))
         named = set().union(*(by_name[word] for word in words & by_name.keys()))
         for word in words & by_folder.keys():

@@ -209,7 +209,7 @@ def test_interrupt_leaves_nothing_behind(tmp_path):
     started = time.monotonic()
     _, message = process.communicate(timeout=20)
     assert process.returncode == 130 and "cancelled" in message
-    assert time.monotonic() - started < 10
+    assert time.monotonic() - started < 2
     assert [p.name for p in tmp_path.iterdir()] == ["g.frep"]
 
 

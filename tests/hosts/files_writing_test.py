@@ -280,7 +280,7 @@ def test_a_mesh_that_takes_long_says_why(folder):
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
     started = time.monotonic()
-    assert process.wait(timeout=10) == 130 and time.monotonic() - started < 5
+    assert process.wait(timeout=10) == 130 and time.monotonic() - started < 1
     assert b"cone.off is open, and lids cannot close it" in said and b"% sampling" in said
 
 

@@ -173,6 +173,9 @@ def test_axe_finds_nothing_serious(page, documents):
             page.shot(f"web_{state.__name__}_{theme}")
             found[f"{state.__name__}, {theme}"] = serious(page)
         page.script("document.documentElement.dataset.theme = 'light'")
+    page.script("localStorage.setItem('fabserver theme', 'dark')")
+    page.open()
+    assert page.script("return document.documentElement.dataset.theme") == "dark"
     page.script("localStorage.removeItem('fabserver theme')")
     assert {state: what for state, what in found.items() if what} == {}
 

@@ -94,7 +94,7 @@ TEST_F(DeepJobs, BackOutInOneDeepPass) {
 }
 
 TEST_F(DeepJobs, LeaveTheRestToALongerTool) {
-  const std::string finish = "[[operation]]\ntype = \"finish\"\nstepover = 0.3\n";
+  const std::string finish = fmt::format("[[operation]]\ntype = \"finish\"\nstepover = {}\n", sample_or_all(0.3, 0.1));
   const std::string tools = tool_table(1, "shape = \"ball\"\nflute = 12\nshank = 9\nlength = 40") +
                             tool_table(2, "shape = \"ball\"\nflute = 40\nlength = 60");
   const Job job = plan(tools, finish + "tool = 1\n" + finish + "tool = 2\nplane = \"top\"\n");

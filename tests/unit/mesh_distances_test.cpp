@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "../family.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
@@ -62,8 +63,11 @@ TEST(MeshDistances, AgreeWithTheMeshFieldOnOverlapsAndInvertedParts) {
   TriangleMesh mesh = ball_at({0, 0, 0});
   append(mesh, ball_at({1.1, 0.2, 0.1}), false);
   append(mesh, ball_at({-2.5, 0, 0}), true);
-  expect_as_the_field(mesh, {{-4.03, -1.51, -1.52}, 0.19, {35, 16, 16}}, 0.4);
-  expect_as_the_field(mesh, {{-4.03, -1.51, -1.52}, 0.23, {29, 14, 14}}, 2.0);
+  const Vec3 corner(-4.03, -1.51, -1.52);
+  expect_as_the_field(mesh, sample_or_all<DistanceLattice>({corner, 0.19, {35, 16, 16}}, {corner, 0.11, {60, 28, 28}}),
+                      sample_or_all(0.4, 0.25));
+  expect_as_the_field(mesh, sample_or_all<DistanceLattice>({corner, 0.23, {29, 14, 14}}, {corner, 0.13, {52, 24, 24}}),
+                      2.0);
 }
 
 TEST(MeshDistances, HoldOnPlacesThatLieOnEdgesAndFaces) {

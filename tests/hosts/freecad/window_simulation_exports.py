@@ -4,7 +4,6 @@ from simulating import Button, document, opened, simulated
 from window import press, wait
 
 
-
 def test_reports_and_frames_are_written(document, opened, tmp_path):
     panel = simulated(document, opened, tmp_path, target=False, cell=0.5)
     panel.write_report(str(tmp_path / "report.html"))
