@@ -8,9 +8,7 @@
 
 namespace fieldfab::cam {
 
-using Kind = SimulationEvent::Kind;
-
-std::string_view name_of(Kind kind) {
+std::string_view name_of(SimulationEvent::Kind kind) {
   constexpr std::array<std::string_view, 8> names{"rapid contact",   "shank contact", "holder contact",
                                                   "fixture contact", "over-travel",   "spindle stopped",
                                                   "gouge",           "excess"};
@@ -30,7 +28,7 @@ void EventLog::add(SimulationEvent event) {
   if (std::abs(event.amount) > std::abs(known.amount)) known = std::move(event);
 }
 
-int EventLog::forget(Kind kind, int program) {
+int EventLog::forget(SimulationEvent::Kind kind, int program) {
   const auto meant = [&](const SimulationEvent& e) { return e.kind == kind && e.move.program == program; };
   const auto first = std::find_if(events_.begin(), events_.end(), meant);
   if (first == events_.end()) return 0;

@@ -1,6 +1,6 @@
 // Surface of a part by exact arithmetic, for leafs with flat faces.
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -105,12 +105,16 @@ Polyhedron grown(const Polyhedron& solid, double growth) {
   Polyhedron result = solid;
   for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
     if (normals[i].empty()) continue;
-    Eigen::MatrixX3d planes(static_cast<Eigen::Index>(normals[i].size()), 3);
-    for (std::size_t j = 0; j < normals[i].size(); ++j)
-      planes.row(static_cast<Eigen::Index>(j)) = normals[i][j].transpose();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixX3d> solver(planes.rows(), 3);
-    solver.setThreshold(1e-3);
-    const Vec3 step = solver.compute(planes).solve(Eigen::VectorXd::Ones(planes.rows()));
+    // The shortest of the steps that least miss the planes' new places.
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    Vec3 sum = Vec3::Zero(), step = Vec3::Zero();
+    for (const Vec3& normal : normals[i]) squares += normal * normal.transpose(), sum += normal;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+    constexpr double parallel = 1e-6;  // a square of the sine, of planes that are one up to rounding
+    for (Eigen::Index j = 0; j < 3; ++j)
+      if (const Vec3 along = solver.eigenvectors().col(j);
+          solver.eigenvalues()[j] > parallel * solver.eigenvalues().maxCoeff())
+        step += along * along.dot(sum) / solver.eigenvalues()[j];
     result.vertices[i] += growth * step * std::min(1.0, farthest / step.norm());
   }
   return result;

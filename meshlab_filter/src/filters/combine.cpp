@@ -9,7 +9,7 @@
 namespace fieldfab::meshlab {
 namespace {
 
-std::vector<Parameter> parameters(const Document& document) {
+std::vector<Parameter> combine_parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::size_t other = 0;
   if (document.layers.size() > 1 && document.current == 0) other = 1;
@@ -60,7 +60,7 @@ Layer joined_as_fields(const Layer& first, const Layer& second, int operation, d
   return layer_of(both, bounds, fineness, is_sharp(a) || is_sharp(b), name, log, progress);
 }
 
-Result run(const Values& values, Progress& progress) {
+Result run_combine(const Values& values, Progress& progress) {
   Result result;
   const Fineness fineness = fineness_of(values);
   const double radius = values.not_negative("Radius");
@@ -87,8 +87,8 @@ Filter combine_layers() {
           Filter::Group::remeshing,
           true,
           false,
-          parameters,
-          run};
+          combine_parameters,
+          run_combine};
 }
 
 }  // namespace fieldfab::meshlab

@@ -15,7 +15,7 @@
 namespace fieldfab::meshlab {
 namespace {
 
-std::vector<Parameter> parameters(const Document& document) {
+std::vector<Parameter> deviation_parameters(const Document& document) {
   std::size_t other = document.current;
   if (document.layers.size() > 1) other = document.current == 0 ? 1 : 0;
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
@@ -89,7 +89,7 @@ void tell_histogram(const std::vector<float>& distances, double range, std::vect
   }
 }
 
-Result run(const Values& values, Progress& progress) {
+Result run_deviation(const Values& values, Progress& progress) {
   Result result;
   const double wanted = values.not_negative("Range");
   const Layer& layer = values.layer();
@@ -142,8 +142,8 @@ Filter deviation() {
           Filter::Group::quality,
           true,
           true,
-          parameters,
-          run};
+          deviation_parameters,
+          run_deviation};
 }
 
 }  // namespace fieldfab::meshlab

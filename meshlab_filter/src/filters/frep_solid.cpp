@@ -27,7 +27,7 @@ std::optional<Box> bounds_of(const std::string& text) {
 
 namespace {
 
-std::vector<Parameter> parameters(const Document&) {
+std::vector<Parameter> frep_solid_parameters(const Document&) {
   return {text_parameter(
               "Formula", "Formula or file",
               "The language of docs/frep-language.md, such as difference(sphere(10), cylinder(4, 40)), or max(x^2 + "
@@ -41,7 +41,7 @@ std::vector<Parameter> parameters(const Document&) {
                            "Edge of the smallest cell; 0 takes the file's own, or 1/128 of the longest side.", 0)};
 }
 
-Result run(const Values& values, Progress& progress) {
+Result run_frep_solid(const Values& values, Progress& progress) {
   Result result;
   const double voxel = values.not_negative("Voxel");
   const std::string& text = values.text("Formula");
@@ -68,8 +68,8 @@ Filter frep_solid() {
           Filter::Group::creation,
           false,
           false,
-          parameters,
-          run};
+          frep_solid_parameters,
+          run_frep_solid};
 }
 
 }  // namespace fieldfab::meshlab

@@ -19,7 +19,7 @@
 namespace fieldfab::meshlab {
 namespace {
 
-std::vector<Parameter> parameters(const Document& document) {
+std::vector<Parameter> hollow_parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{
       length_parameter("Wall", "Wall thickness (mm)", "Constant thickness of the wall.", diagonal / 40, 0, diagonal),
@@ -85,7 +85,7 @@ FieldPtr hole(const Field& outside, const Drain& drain, double diameter, double 
   return translate(frep::make_field(rod), {drain.place.x(), drain.place.y(), 0.5 * (from + to)});
 }
 
-Result run(const Values& values, Progress& progress) {
+Result run_hollow(const Values& values, Progress& progress) {
   Result result;
   const Fineness fineness = fineness_of(values);
   const double wall = values.positive("Wall");
@@ -139,8 +139,8 @@ Filter hollow() {
           Filter::Group::remeshing,
           true,
           false,
-          parameters,
-          run};
+          hollow_parameters,
+          run_hollow};
 }
 
 }  // namespace fieldfab::meshlab

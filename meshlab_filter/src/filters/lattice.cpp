@@ -34,7 +34,7 @@ std::vector<std::string> names() {
   return all;
 }
 
-std::vector<Parameter> parameters(const Document& document) {
+std::vector<Parameter> lattice_parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{
       choice_parameter("Lattice", "Lattice", "Kind of lattice: walls along a surface, or struts.", names()),
@@ -54,7 +54,7 @@ frep::Expression surface(int lattice, double period) {
   return lattices[static_cast<std::size_t>(lattice)].of_period(period);
 }
 
-Result run(const Values& values, Progress& progress) {
+Result run_lattice(const Values& values, Progress& progress) {
   Result result;
   Fineness fineness = fineness_of(values);
   // The walls of the lattice are thin, so a search for edges is slow; it is done on demand only.
@@ -83,8 +83,8 @@ Filter lattice_infill() {
           Filter::Group::remeshing,
           true,
           false,
-          parameters,
-          run};
+          lattice_parameters,
+          run_lattice};
 }
 
 }  // namespace fieldfab::meshlab

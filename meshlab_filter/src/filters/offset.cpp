@@ -11,7 +11,7 @@
 namespace fieldfab::meshlab {
 namespace {
 
-std::vector<Parameter> parameters(const Document& document) {
+std::vector<Parameter> offset_parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{length_parameter(
       "Distance", "Distance (mm)", "Positive values outwards, where edges become round; negative values inwards.",
@@ -20,7 +20,7 @@ std::vector<Parameter> parameters(const Document& document) {
   return rows;
 }
 
-Result run(const Values& values, Progress& progress) {
+Result run_offset(const Values& values, Progress& progress) {
   Result result;
   const Fineness fineness = fineness_of(values);
   const double distance = values.number("Distance");
@@ -42,8 +42,8 @@ Filter offset_layer() {
           Filter::Group::remeshing,
           true,
           false,
-          parameters,
-          run};
+          offset_parameters,
+          run_offset};
 }
 
 }  // namespace fieldfab::meshlab

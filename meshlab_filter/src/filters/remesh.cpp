@@ -6,7 +6,7 @@
 namespace fieldfab::meshlab {
 namespace {
 
-std::vector<Parameter> parameters(const Document& document) {
+std::vector<Parameter> remesh_parameters(const Document& document) {
   std::vector<Parameter> rows = fineness_parameters(document);
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   rows.push_back(
@@ -30,7 +30,7 @@ Layer through_a_field(const Layer& layer, const Fineness& fineness, double gap, 
   return layer_of(field, bounds, fineness, is_sharp(solid), layer.name + " remeshed", log, progress);
 }
 
-Result run(const Values& values, Progress& progress) {
+Result run_remesh(const Values& values, Progress& progress) {
   Result result;
   const Fineness fineness = fineness_of(values);
   const double gap = values.not_negative("GapWidth");
@@ -53,8 +53,8 @@ Filter remesh() {
           Filter::Group::remeshing,
           true,
           false,
-          parameters,
-          run};
+          remesh_parameters,
+          run_remesh};
 }
 
 }  // namespace fieldfab::meshlab

@@ -9,7 +9,7 @@
 namespace fieldfab::meshlab {
 namespace {
 
-Result run(const Values& values, Progress&) {
+Result run_report(const Values& values, Progress&) {
   Result result;
   const Layer& layer = values.layer();
   std::vector<std::string> notes;
@@ -50,7 +50,7 @@ Filter validity_report() {
           true,
           false,
           [](const Document&) { return std::vector<Parameter>{}; },
-          run};
+          run_report};
 }
 
 }  // namespace fieldfab::meshlab

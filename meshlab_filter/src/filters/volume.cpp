@@ -8,7 +8,7 @@
 namespace fieldfab::meshlab {
 namespace {
 
-std::vector<Parameter> parameters(const Document&) {
+std::vector<Parameter> volume_file_parameters(const Document&) {
   Parameter file;
   file.name = "File", file.label = "Volume", file.kind = Parameter::Kind::file, file.value = std::string();
   file.help = fmt::format("{}: of a stack of slices any one of them.", volume_patterns_text());
@@ -18,7 +18,7 @@ std::vector<Parameter> parameters(const Document&) {
   return rows;
 }
 
-Result run(const Values& values, Progress& progress) {
+Result run_volume(const Values& values, Progress& progress) {
   Result result;
   result.layers.push_back(import_volume(values.text("File"), values, result.log, progress));
   return result;
@@ -33,8 +33,8 @@ Filter volume_solid() {
           Filter::Group::creation,
           false,
           false,
-          parameters,
-          run};
+          volume_file_parameters,
+          run_volume};
 }
 
 }  // namespace fieldfab::meshlab

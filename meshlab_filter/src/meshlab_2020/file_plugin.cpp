@@ -57,3 +57,5 @@ bool FieldfabFiles::done(const std::function<void()>& work) {
   qWarning("Fieldfab: %s", qUtf8Printable(errorMessage));
   return false;
 }
+
+#include "moc_file_plugin.cpp"

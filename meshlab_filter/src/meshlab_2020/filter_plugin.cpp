@@ -61,3 +61,5 @@ bool FieldfabFilters::applyFilter(QAction* action, MeshDocument& document, const
   Log(GLLogStream::WARNING, errorMessage.toUtf8().toStdString());
   return false;
 }
+
+#include "moc_filter_plugin.cpp"

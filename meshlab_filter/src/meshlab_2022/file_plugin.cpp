@@ -58,3 +58,5 @@ void FieldfabFiles::save(const QString&, const QString& file, MeshModel& model, 
   const auto report = [&](const std::string& line) { log(GLLogStream::FILTER, line); };
   require([&] { save_file(file, model, parameters, bar, report); });
 }
+
+#include "moc_file_plugin.cpp"

@@ -67,3 +67,5 @@ std::map<std::string, QVariant> FieldfabFilters::applyFilter(const QAction* acti
   changed = static_cast<unsigned int>(postCondition(action));
   return {};
 }
+
+#include "moc_filter_plugin.cpp"

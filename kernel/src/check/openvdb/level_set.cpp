@@ -9,11 +9,16 @@
 #include <openvdb/tools/ValueTransformer.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file_buffer.h"
 #include "fieldfab/core/parallel.h"
+
+// The library has these: to compile them again takes half of this file's time.
+extern template class openvdb::tree::Tree<openvdb::FloatTree::RootNodeType>;
+extern template class openvdb::Grid<openvdb::FloatTree>;
 
 namespace fieldfab {
 namespace {
@@ -110,6 +115,7 @@ VdbLevelSet::VdbLevelSet(const Field& solid, const Box& bounds, double voxel, Pr
     leafs.push_back(new openvdb::FloatTree::LeafNodeType(cube.lower, band, true));
     grid->tree().addLeaf(leafs.back());  // the tree owns it
   }
+  std::atomic<bool> has_inside = false;
   parallel_for(open.size(), [&](std::size_t i) {
     progress.check();
     constexpr std::size_t count = leaf_side * leaf_side * leaf_side;
@@ -119,23 +125,22 @@ VdbLevelSet::VdbLevelSet(const Field& solid, const Box& bounds, double voxel, Pr
       x[n] = static_cast<float>(at.x()), y[n] = static_cast<float>(at.y()), z[n] = static_cast<float>(at.z());
     }
     open[i].field->gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
+    bool inside = false;
     for (openvdb::Index n = 0; n < count; ++n) {
       const double slope = std::sqrt(double{dx[n]} * dx[n] + double{dy[n]} * dy[n] + double{dz[n]} * dz[n]);
       double distance = value[n] / slope / voxel;  // to first order
       if (!std::isfinite(distance)) distance = value[n] < 0 ? -1 : 1;
       leafs[i]->setValueOn(n, static_cast<float>(std::clamp(distance, -half_width, half_width)));
+      if (distance < 0) inside = true;
     }
+    if (inside) has_inside = true;
   });
   progress.check();
+  if (!has_inside) return;
   openvdb::tools::signedFloodFill(grid->tree());
   // Only the samples next to sign changes are kept; the distances are swept from there. (OpenVDB
   // can also rebuild a level set through a mesh, but that fills cavities.)
-  openvdb::tools::FastSweeping<openvdb::FloatGrid> sweeping;
-  if (sweeping.initSdf(*grid, 0, true)) {
-    progress.check();
-    sweeping.sweep();
-    grid_ = sweeping.sdfGrid();
-  }
+  grid_ = openvdb::tools::sdfToSdf(*grid);
   progress.check();
 }
 
