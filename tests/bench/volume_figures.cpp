@@ -2,7 +2,6 @@
 // docs/volumes.md to stdout. Times are the best of three.
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/MeshToVolume.h>
@@ -17,6 +16,7 @@
 #include "fieldfab/check/check.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/solid/scan_solid.h"
+#include "volume/openvdb/float_grid.h"
 
 namespace {
 

@@ -1,5 +1,6 @@
 """fieldfab.bricks: imports and meshes by several processes, against those of one."""
 
+import gzip
 import json
 import os
 import pathlib
@@ -13,10 +14,11 @@ import numpy as np
 import pytest
 
 from conftest import BUILD, COMMAND, DATA
+from family import sample_or_all
 from mesh_files import read_ply
 from volume_test import write_lace
 
-ENGINE = DATA / "ct" / "engine.nii.gz"
+COARSER = sample_or_all(2, 1)  # every second voxel of the scan along each axis, and bricks of half as many cells
 PYTHON = ["/usr/bin/python3", "-m", "fieldfab.bricks"]
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(BUILD / "python")}
 
@@ -32,10 +34,21 @@ def bricks(*arguments, ok=True):
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory):
+def scan(tmp_path_factory):
+    """A CT volume of an engine in NIfTI's format: a header of 352 bytes, then the voxels."""
+    data = gzip.decompress((DATA / "ct" / "engine.nii.gz").read_bytes())
+    size = np.frombuffer(data, "<i2", 3, 42)
+    voxels = np.frombuffer(data, np.uint8, offset=352).reshape(size, order="F")[::COARSER, ::COARSER, ::COARSER]
+    path = tmp_path_factory.mktemp("scan") / "engine.nii"
+    path.write_bytes(data[:42] + np.array(voxels.shape, "<i2").tobytes() + data[48:352] + voxels.tobytes(order="F"))
+    return path
+
+
+@pytest.fixture(scope="module")
+def engine(scan, tmp_path_factory):
     """An .asdf file of three levels, and the mesh that the command makes of it."""
     folder = tmp_path_factory.mktemp("engine")
-    run("build", ENGINE, "-o", folder / "engine.asdf", "--levels", 3)
+    run("build", scan, "-o", folder / "engine.asdf", "--levels", 3)
     run("mesh", folder / "engine.asdf", "-o", folder / "engine.ply")
     return folder
 
@@ -65,10 +78,10 @@ def assert_same_mesh(path, expected):
     assert ff.inspect(ff.Mesh(vertices, triangles)).valid
 
 
-def test_two_processes_make_the_same_asdf_file(tmp_path):
-    run("build", ENGINE, "-o", tmp_path / "one.asdf", "--levels", 2)
+def test_two_processes_make_the_same_asdf_file(scan, tmp_path):
+    run("build", scan, "-o", tmp_path / "one.asdf", "--levels", 2)
     for parts in (2, 3):
-        bricks(ENGINE, "-o", tmp_path / "two.asdf", "--workers", 2, "--parts", parts, "--levels", 2)
+        bricks(scan, "-o", tmp_path / "two.asdf", "--workers", 2, "--parts", parts, "--levels", 2)
         assert (tmp_path / "one.asdf").read_bytes() == (tmp_path / "two.asdf").read_bytes()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["one.asdf", "two.asdf"]
 
@@ -90,7 +103,7 @@ def processes_below(parent):
 
 def test_a_mesh_is_that_of_one_process_though_a_worker_is_killed(engine, tmp_path):
     out = tmp_path / "mesh.ply"
-    running = subprocess.Popen([*PYTHON, engine / "engine.asdf", "-o", out, "--workers", "3", "--cells", "64"],
+    running = subprocess.Popen([*PYTHON, engine / "engine.asdf", "-o", out, "--workers", "3", "--cells", str(64 // COARSER)],
                                env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     made = lambda: len(list(tmp_path.glob(".mesh.ply.*/tiles/?-*-?.npz")))
     until = time.monotonic() + 60
@@ -109,12 +122,12 @@ def test_a_mesh_is_that_of_one_process_though_a_worker_is_killed(engine, tmp_pat
 
 def test_the_file_is_the_same_for_any_number_of_workers(engine, tmp_path):
     for workers in (1, 2):
-        bricks(engine / "engine.asdf", "-o", tmp_path / f"{workers}.ply", "--workers", workers, "--cells", 128)
+        bricks(engine / "engine.asdf", "-o", tmp_path / f"{workers}.ply", "--workers", workers, "--cells", 128 // COARSER)
     assert (tmp_path / "1.ply").read_bytes() == (tmp_path / "2.ply").read_bytes()
 
 
-def test_a_volume_is_meshed_at_once(engine, tmp_path):
-    said = bricks(ENGINE, "-o", tmp_path / "engine.ply").stdout
+def test_a_volume_is_meshed_at_once(scan, engine, tmp_path):
+    said = bricks(scan, "-o", tmp_path / "engine.ply").stdout
     vertices, triangles = mesh_of(tmp_path / "engine.ply")
     assert said == f"{tmp_path / 'engine.ply'}: {len(vertices)} vertices and {len(triangles)} triangles of 1 bricks\n"
     assert_same_mesh(tmp_path / "engine.ply", engine / "engine.ply")
@@ -124,10 +137,10 @@ def test_a_volume_is_meshed_at_once(engine, tmp_path):
 def test_cells_error_and_level_are_those_of_the_command(engine, tmp_path):
     options = ["--voxel", 1.5, "--max-error", 0.3]
     run("mesh", engine / "engine.asdf", "-o", tmp_path / "one.ply", *options)
-    bricks(engine / "engine.asdf", "-o", tmp_path / "bricks.ply", *options, "--cells", 64)
+    bricks(engine / "engine.asdf", "-o", tmp_path / "bricks.ply", *options, "--cells", 64 // COARSER)
     assert_same_mesh(tmp_path / "bricks.ply", tmp_path / "one.ply")
     run("mesh", engine / "engine.asdf", "-o", tmp_path / "coarse.ply", "--level", 2)
-    bricks(engine / "engine.asdf", "-o", tmp_path / "bricks.ply", "--level", 2, "--cells", 32)
+    bricks(engine / "engine.asdf", "-o", tmp_path / "bricks.ply", "--level", 2, "--cells", 32 // COARSER)
     assert_same_mesh(tmp_path / "bricks.ply", tmp_path / "coarse.ply")
 
 
@@ -147,7 +160,7 @@ def read_glb(path):
 def test_tiles_show_every_level(engine, tmp_path):
     out = tmp_path / "tiles" / "tileset.json"
     for level in (2, 0):  # new tiles replace those that were there
-        bricks(engine / "engine.asdf", "-o", out, "--cells", 64, "--level", level)
+        bricks(engine / "engine.asdf", "-o", out, "--cells", 64 // COARSER, "--level", level)
     assert sorted(path.name for path in out.parent.iterdir()) == ["tileset", "tileset.json"]
     tileset = json.loads(out.read_text())
     levels, seen = {}, set()

@@ -35,6 +35,7 @@ SECONDS = 120  # for a command
 NOT_RUN = {
     "./dev test": "runs this very test",
     "./dev check": "may run this very test; tests/check_test.py and reach_test.py try what it chooses",
+    "./dev tsan": "takes minutes; ./dev test --full runs it",
     "./dev demo": "takes minutes",
     "./dev build": "takes minutes",
     "./dev test --full": "runs this very test",
@@ -257,7 +258,8 @@ def each_of(places):
     return pytest.mark.parametrize("place", places, ids=lambda place: place.name)
 
 
-@each_of([each for each in TO_RUN if not opens_a_window(each.command) and not re.match(SERVES, each.command)])
+@each_of([each for each in TO_RUN if not opens_a_window(each.command) and not re.match(SERVES, each.command)
+          and (each.document != "README.md" or each.command.startswith("./dev "))])  # the others run in their order
 def test_command(place, folders):
     folder = folders(place.document)
     if ".scad" in place.text:

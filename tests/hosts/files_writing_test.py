@@ -454,9 +454,9 @@ def test_a_substituted_process_is_read(folder):
 
 def test_too_little_memory_is_one_line(folder):
     """The limit is on address space; the program and its libraries take some 500 MB of it."""
-    (folder / "gyroid.frep").write_text("shell(gyroid(period = 1), 0.1) & sphere(6)")
+    (folder / "ball.frep").write_text("sphere(6)")
     most = 700 << 20
-    done = run(["--threads", 2, "mesh", "gyroid.frep", "-o", "made.stl", "--voxel", 0.02], folder,
+    done = run(["--threads", 2, "mesh", "ball.frep", "-o", "made.stl", "--voxel", 0.005], folder,
                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (most, most)))
     # Allocation of machine code may fail first. That gives a note, and formulas are interpreted.
     done.lines = [line for line in done.lines if "formulas are interpreted instead" not in line]

@@ -7,6 +7,7 @@ import pathlib
 import numpy as np
 import pytest
 from conftest import BUILD
+from family import sample_or_all
 from meshlab_host import (BOOLEAN, DEVIATION, FREP, LATTICE, OFFSET, PARAMETERS, REFUSED, REMESH, REMOVES_NAN, REPORT,
                           SERVER, SHELL, VOLUME, cube, figure_eight, joined, serve, sphere, verdict, with_holes,
                           write_ply)
@@ -77,9 +78,10 @@ def test_remesh_keeps_the_edges_of_a_cube_exactly(tmp_path):
 
 def test_remesh_closes_gaps_up_to_their_width(tmp_path):
     two = joined(cube(20), cube(20, at=(20.8, 0, 0)))
-    _, apart, _ = result_of(tmp_path, two, (REMESH, {"Voxel": 0.3, "GapWidth": 0.4}))
+    voxel = sample_or_all(0.5, 0.3)
+    _, apart, _ = result_of(tmp_path, two, (REMESH, {"Voxel": voxel, "GapWidth": 0.4}))
     assert apart.components == 2
-    result, together, _ = result_of(tmp_path, two, (REMESH, {"Voxel": 0.3, "GapWidth": 1.5}))
+    result, together, _ = result_of(tmp_path, two, (REMESH, {"Voxel": voxel, "GapWidth": 1.5}))
     assert together.components == 1
     assert result.volume == pytest.approx(40.8 * 400, rel=0.01)
 

@@ -8,7 +8,6 @@
 // Stock must lie between the two results everywhere.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/Composite.h>
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/LevelSetMeasure.h>
@@ -24,6 +23,7 @@
 #include "fieldfab/field/field.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
+#include "volume/openvdb/float_grid.h"
 
 namespace fieldfab::cam {
 namespace {

@@ -8,6 +8,7 @@ import FreeCAD
 import FreeCADGui
 import pytest
 import window
+from family import sample_or_all
 from window import live, press, wait
 
 from fieldfab_workbench.panels import check_panel, edit_panel
@@ -20,13 +21,19 @@ TUTORIAL = (ROOT / "docs" / "tutorial.md").read_text()
 WIDTH = 430  # of the panel, pixels
 
 
+def coarser(name, value):
+    """Returns a value of the tutorial, or for a sample of `./dev test --full` one that plans and cuts in less time."""
+    factor = sample_or_all({"Cell": 2, "Scallop": 4}.get(name, 1), 1)
+    return value if factor == 1 else f"{factor * float(value):g}"
+
+
 def step(number):
     """Returns the boxes under a heading of the tutorial in order: a formula's text, the columns of a tool, or names and
     values."""
     [words] = re.findall(rf"^## {number}\. .*?(?=^## |\Z)", TUTORIAL, re.M | re.S)
     boxes = re.findall(r"^```(\w+)\n(.*?)^```", words, re.M | re.S)
     return [text if kind == "frep" else text.strip().split(", ") if kind == "tool"
-            else [tuple(line.split(" = ")) for line in text.splitlines()]
+            else [(name, coarser(name, value)) for name, value in (line.split(" = ") for line in text.splitlines())]
             for kind, text in boxes]
 
 

@@ -1,6 +1,5 @@
 #include "check/level_set.h"
 
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tools/FastSweeping.h>
 #include <openvdb/tools/Interpolation.h>
@@ -15,10 +14,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file_buffer.h"
 #include "fieldfab/core/parallel.h"
-
-// The library has these: to compile them again takes half of this file's time.
-extern template class openvdb::tree::Tree<openvdb::FloatTree::RootNodeType>;
-extern template class openvdb::Grid<openvdb::FloatTree>;
+#include "volume/openvdb/float_grid.h"
 
 namespace fieldfab {
 namespace {

@@ -3,7 +3,6 @@
 #include <openvdb/io/Archive.h>
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/io/io.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "fieldfab/core/file.h"
+#include "volume/openvdb/float_grid.h"
 #include "volume/parts.h"
 #include "volume/read_in_copy.h"
 
