@@ -140,7 +140,7 @@ def test_cells_error_and_level_are_those_of_the_command(engine, tmp_path):
     bricks(engine / "engine.asdf", "-o", tmp_path / "bricks.ply", *options, "--cells", 64 // COARSER)
     assert_same_mesh(tmp_path / "bricks.ply", tmp_path / "one.ply")
     run("mesh", engine / "engine.asdf", "-o", tmp_path / "coarse.ply", "--level", 2)
-    bricks(engine / "engine.asdf", "-o", tmp_path / "bricks.ply", "--level", 2, "--cells", 32 // COARSER)
+    bricks(engine / "engine.asdf", "-o", tmp_path / "bricks.ply", "--level", 2, "--cells", 32)
     assert_same_mesh(tmp_path / "bricks.ply", tmp_path / "coarse.ply")
 
 

@@ -78,7 +78,7 @@ def test_remesh_keeps_the_edges_of_a_cube_exactly(tmp_path):
 
 def test_remesh_closes_gaps_up_to_their_width(tmp_path):
     two = joined(cube(20), cube(20, at=(20.8, 0, 0)))
-    voxel = sample_or_all(0.5, 0.3)
+    voxel = sample_or_all(0.8, 0.3)
     _, apart, _ = result_of(tmp_path, two, (REMESH, {"Voxel": voxel, "GapWidth": 0.4}))
     assert apart.components == 2
     result, together, _ = result_of(tmp_path, two, (REMESH, {"Voxel": voxel, "GapWidth": 1.5}))
