@@ -103,8 +103,8 @@ def processes_below(parent):
 
 def test_a_mesh_is_that_of_one_process_though_a_worker_is_killed(engine, tmp_path):
     out = tmp_path / "mesh.ply"
-    running = subprocess.Popen([*PYTHON, engine / "engine.asdf", "-o", out, "--workers", "3", "--cells", str(64 // COARSER)],
-                               env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    command = [*PYTHON, engine / "engine.asdf", "-o", out, "--workers", "3", "--cells", str(64 // COARSER)]
+    running = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     made = lambda: len(list(tmp_path.glob(".mesh.ply.*/tiles/?-*-?.npz")))
     until = time.monotonic() + 60
     while made() < 3 and running.poll() is None and time.monotonic() < until:
@@ -122,7 +122,8 @@ def test_a_mesh_is_that_of_one_process_though_a_worker_is_killed(engine, tmp_pat
 
 def test_the_file_is_the_same_for_any_number_of_workers(engine, tmp_path):
     for workers in (1, 2):
-        bricks(engine / "engine.asdf", "-o", tmp_path / f"{workers}.ply", "--workers", workers, "--cells", 128 // COARSER)
+        bricks(engine / "engine.asdf", "-o", tmp_path / f"{workers}.ply", "--workers", workers,
+               "--cells", 128 // COARSER)
     assert (tmp_path / "1.ply").read_bytes() == (tmp_path / "2.ply").read_bytes()
 
 
