@@ -85,7 +85,7 @@ class GridReader : openvdb::io::Archive {
       ahead([&] { skip_texts(3); });
       openvdb::io::GridDescriptor descriptor;
       const openvdb::GridBase::Ptr grid = descriptor.read(file_);
-      const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
+      auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
       if (!floats && inputHasGridOffsets()) {
         go_on_to(descriptor.getEndPos());
         continue;
