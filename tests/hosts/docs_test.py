@@ -35,7 +35,6 @@ SECONDS = 120  # for a command
 NOT_RUN = {
     "./dev test": "runs this very test",
     "./dev check": "may run this very test; tests/check_test.py and reach_test.py try what it chooses",
-    "./dev tsan": "takes minutes; ./dev test --full runs it",
     "./dev demo": "takes minutes",
     "./dev build": "takes minutes",
     "./dev test --full": "runs this very test",
