@@ -28,7 +28,9 @@ def take(test):
     with tempfile.TemporaryDirectory() as shots:
         pytest = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/hosts/freecad_inside_test.py",
                   "-k", f"{test} and not {test}_"]
-        env = {**os.environ, "FIELDFAB_SHOTS": shots, "PYTHONPATH": str(ROOT / "build" / "release" / "python")}
+        # With the documents' own values, which samples make coarser.
+        env = {**os.environ, "FIELDFAB_SHOTS": shots, "FIELDFAB_FULL": "1",
+               "PYTHONPATH": str(ROOT / "build" / "release" / "python")}
         good = subprocess.run(pytest, cwd=ROOT, env=env).returncode == 0
         for shot, figure in FIGURE_OF[test].items() if good else ():
             (FIGURES / figure).parent.mkdir(exist_ok=True)
